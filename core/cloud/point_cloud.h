@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+
+namespace plateau {
+
+/// n points (the witnesses W) in R^d, in input order.
+struct PointCloud {
+    std::uint32_t dimension = 0;      ///< d
+    std::vector<double> coordinates;  ///< n rows of d numbers, in input units
+
+    std::uint32_t size() const {
+        return dimension == 0 ? 0 : static_cast<std::uint32_t>(coordinates.size() / dimension);
+    }
+    /// Coordinates of the point with the given 0-based input index.
+    std::span<const double> point(std::uint32_t index) const {
+        return {coordinates.data() + static_cast<std::size_t>(index) * dimension, dimension};
+    }
+};
+
+/// Checks that the cloud is one the engine takes: at least one point, dimension 2 or 3, every coordinate finite and
+/// at most 1e150 in magnitude (its square must not overflow). Errors name the first bad point (1-based).
+Result<PointCloud> validated(PointCloud cloud);
+
+/// Squared Euclidean distance, summed in axis order in double: the one definition of distance in the project.
+inline double distance_squared(std::span<const double> a, std::span<const double> b) {
+    double sum = 0;
+    for (std::size_t axis = 0; axis < a.size(); ++axis) {
+        const double difference = a[axis] - b[axis];
+        sum += difference * difference;
+    }
+    return sum;
+}
+
+}  // namespace plateau

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "cloud/point_cloud.h"
+#include "plateaus/plateaus.h"
+#include "timeline/timeline.h"
+
+namespace plateau {
+
+struct RunOptions {
+    std::optional<Family> family;        ///< default: Delaunay in the plane, Auto in space
+    std::vector<std::uint32_t> nu;       ///< nu_0, nu_1, ...; empty: the family's default
+    std::uint32_t first = 0;             ///< 0-based input index of the first landmark
+    std::uint32_t max_steps = std::numeric_limits<std::uint32_t>::max();
+    double until_epsilon = 0;            ///< stop after the first step with epsilon <= this, input units
+    double rho = 0;                      ///< surface: drop triangles with radius-edge ratio above this; 0 = off
+    std::uint32_t field = 2;             ///< a prime below 46341; matters for family witness
+    std::uint64_t memory_limit = std::uint64_t{3} << 30;  ///< bytes the run may take
+};
+
+/// How much run() does before it returns. Budgets decide when to return, never what is computed.
+struct Budget {
+    double milliseconds = std::numeric_limits<double>::infinity();
+    std::uint32_t steps = std::numeric_limits<std::uint32_t>::max();
+};
+
+enum class RunState : std::uint8_t {
+    Preparing = 0,  ///< building the tree over the witnesses; no step yet
+    Running = 1,
+    Finished = 2,   ///< all landmarks in, epsilon = 0, or a stop that the options asked for
+    Stopped = 3,    ///< the memory limit was reached; what was computed stays. See Progress::stopped
+};
+
+struct Progress {
+    RunState state = RunState::Preparing;
+    Step steps_done = 0;      ///< complete steps: those with Betti numbers
+    Step steps_planned = 0;   ///< an upper bound: min(n, max_steps)
+    double epsilon = 0;       ///< of the last complete step; 0 before the first
+    std::optional<Error> stopped;
+};
+
+/// Owner of a run: cloud in, timeline out, step by step. Cancelling is not calling run() again; the state stays usable.
+class Session {
+public:
+    /// Validates cloud and options. Errors: those of validated(), InvalidOption, UnsupportedDimension, OutOfMemory
+    /// when the estimate exceeds the limit (the sentence says how much it would take).
+    static Result<Session> open(PointCloud cloud, const RunOptions& options);
+
+    Session(Session&&) noexcept;
+    Session& operator=(Session&&) noexcept;
+    ~Session();
+
+    /// Works until the budget is spent: at least one slice of preparation or one step, whole steps only. A step is
+    /// returned when its Betti numbers are known; they are evaluated in blocks, so a call may return none and a later
+    /// one many. After a call with infinite time, and after the last step, no step is pending.
+    Progress run(const Budget& budget);
+    Progress progress() const;
+
+    const PointCloud& cloud() const;
+    const RunOptions& options() const;       ///< with the defaults filled in
+    const Timeline& timeline() const;
+    std::vector<Plateau> plateaus() const { return find_plateaus(timeline()); }
+    /// 64-bit FNV-1a over all complete steps: (step, landmark, bits of epsilon, births and deaths, rows, Betti vector).
+    std::uint64_t hash() const;
+
+private:
+    struct State;
+    explicit Session(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+/// Bytes that a run over n points is expected to take, without the Delaunay triangulation's worst case.
+std::uint64_t estimated_memory(std::uint32_t points, std::uint32_t dimension, Family family);
+
+}  // namespace plateau

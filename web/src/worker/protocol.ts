@@ -1,0 +1,144 @@
+/**
+ * Messages between the page and the worker. Types only: this file compiles to nothing.
+ * Every message carries the run it belongs to; every request that has a `requestId` is answered by exactly one event
+ * with the same id (its answer or `failed`).
+ */
+
+export type Family = 'witness' | 'delaunay' | 'surface' | 'auto';
+/** Which complex a step shows; never `auto`. */
+export type ShownFamily = 'witness' | 'delaunay' | 'surface';
+
+export interface RunOptions {
+  readonly family?: Family;
+  readonly nu?: readonly number[];
+  /** 0-based input index of the first landmark. */
+  readonly first?: number;
+  readonly maxSteps?: number;
+  /** Stop after the first step with epsilon at most this, in input units. */
+  readonly untilEpsilon?: number;
+  /** Drop triangles with a radius-edge ratio above this; 0 = off. */
+  readonly rho?: number;
+}
+
+export type CloudSource =
+  | {
+      readonly kind: 'file';
+      readonly name: string;
+      readonly bytes: ArrayBuffer;
+      /** 1-based columns that are coordinates; absent: as the reader decides. */
+      readonly columns?: readonly number[];
+    }
+  | {
+      readonly kind: 'sample';
+      readonly shape: string;
+      readonly size: number;
+      readonly noise?: number;
+      readonly seed?: number;
+    };
+
+/** From C++: the code's name and number are those of core/base/result.h; the message is for people. */
+export interface Failure {
+  readonly code: number;
+  readonly message: string;
+}
+
+export type ExportFormat = 'betti-csv' | 'plateaus-json' | 'mesh-ply';
+
+export type WorkerRequest =
+  /** Reads the source, starts the run, and computes on until `pause`, `close` or the end. */
+  | {
+      readonly kind: 'open';
+      readonly runId: number;
+      readonly requestId: number;
+      readonly source: CloudSource;
+      readonly options: RunOptions;
+    }
+  | { readonly kind: 'pause'; readonly runId: number; readonly requestId: number }
+  | { readonly kind: 'resume'; readonly runId: number; readonly requestId: number }
+  /** What was appended since the last answer; pulled by the page, at most one under way. */
+  | { readonly kind: 'fetchDelta'; readonly runId: number; readonly requestId: number }
+  | { readonly kind: 'fetchPlateaus'; readonly runId: number; readonly requestId: number }
+  /** `step` is 1-based and for mesh-ply only; absent: the middle of the longest plateau. */
+  | {
+      readonly kind: 'export';
+      readonly runId: number;
+      readonly requestId: number;
+      readonly format: ExportFormat;
+      readonly step?: number;
+    }
+  | { readonly kind: 'close'; readonly runId: number; readonly requestId: number };
+
+export type RunState = 'preparing' | 'running' | 'finished' | 'stopped';
+
+export interface Opened {
+  readonly dimension: number;
+  /** n rows of `dimension` numbers, input units. */
+  readonly coordinates: Float64Array;
+  readonly family: Family;
+  readonly nu: readonly number[];
+  readonly stepsPlanned: number;
+  readonly estimatedBytes: number;
+  readonly memoryLimitBytes: number;
+  /** Readable remarks of the reader, e.g. "took columns 1-3 of 6". */
+  readonly warnings: readonly string[];
+}
+
+/** What one or more steps appended. Steps and the vertices of simplices are 1-based; indices into tables 0-based. */
+export interface Delta {
+  readonly state: RunState;
+  /** Why the run stopped early, when state is `stopped`. */
+  readonly stopped?: Failure;
+  readonly firstStep: number;
+  readonly stepCount: number;
+  /** 64-bit hash of all complete steps, 16 hex digits. */
+  readonly hash: string;
+  /** One entry a new step. */
+  readonly landmark: Uint32Array;
+  readonly epsilon: Float64Array;
+  /** 0 witness, 1 delaunay, 2 surface. */
+  readonly shownFamily: Uint8Array;
+  /** `dimension` numbers a new step. */
+  readonly betti: Uint32Array;
+  /** Two vertices (steps, ascending) an edge; the birth is the last vertex. */
+  readonly edges: Uint32Array;
+  /** Death in track 0 and track 1 of the new edges, 0xFFFFFFFF while alive at stepCount; track 1 is empty unless family is auto. */
+  readonly edgeDeath: readonly [Uint32Array, Uint32Array];
+  readonly triangles: Uint32Array;
+  readonly triangleDeath: readonly [Uint32Array, Uint32Array];
+  /** Deaths of older edges and triangles: (dimension, track, index, step) each. */
+  readonly deaths: Uint32Array;
+  /** New surface rows: three vertices (steps), counter-clockwise from outside; from; to (0xFFFFFFFF while alive). */
+  readonly rowVertices: Uint32Array;
+  readonly rowFrom: Uint32Array;
+  readonly rowTo: Uint32Array;
+  /** Ends of older rows: (row index, to) each. */
+  readonly endedRows: Uint32Array;
+}
+
+/** Plateaus so far, in step order. */
+export interface Plateaus {
+  readonly firstStep: Uint32Array;
+  readonly lastStep: Uint32Array;
+  readonly middleStep: Uint32Array;
+  readonly epsilonFirst: Float64Array;
+  readonly epsilonLast: Float64Array;
+  /** epsilon+(first) / epsilon+(last + 1). */
+  readonly ratio: Float64Array;
+  readonly family: Uint8Array;
+  /** `dimension` numbers a plateau. */
+  readonly betti: Uint32Array;
+  /** Indices into the arrays above, longest first. */
+  readonly ranked: Uint32Array;
+}
+
+export type WorkerEvent =
+  /** The module is loaded; runId 0. */
+  | { readonly kind: 'ready'; readonly runId: 0 }
+  | { readonly kind: 'opened'; readonly runId: number; readonly requestId: number; readonly opened: Opened }
+  | { readonly kind: 'paused'; readonly runId: number; readonly requestId: number }
+  | { readonly kind: 'resumed'; readonly runId: number; readonly requestId: number }
+  | { readonly kind: 'delta'; readonly runId: number; readonly requestId: number; readonly delta: Delta }
+  | { readonly kind: 'plateaus'; readonly runId: number; readonly requestId: number; readonly plateaus: Plateaus }
+  | { readonly kind: 'exported'; readonly runId: number; readonly requestId: number; readonly bytes: Uint8Array }
+  | { readonly kind: 'closed'; readonly runId: number; readonly requestId: number }
+  | { readonly kind: 'failed'; readonly runId: number; readonly requestId: number; readonly failure: Failure };
