@@ -22,8 +22,11 @@ struct PointCloud {
     }
 };
 
+/// Largest magnitude of a coordinate: sums of its squares stay far from overflow.
+inline constexpr double kMaxCoordinate = 1e150;
+
 /// Checks that the cloud is one the engine takes: at least one point, dimension 2 or 3, every coordinate finite and
-/// at most 1e150 in magnitude (its square must not overflow). Errors name the first bad point (1-based).
+/// at most kMaxCoordinate in magnitude. Errors name the first bad point (1-based).
 Result<PointCloud> validated(PointCloud cloud);
 
 /// Squared Euclidean distance, summed in axis order in double: the one definition of distance in the project.

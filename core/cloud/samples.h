@@ -22,7 +22,7 @@ std::span<const SampleShape> sample_shapes();
 
 struct SampleOptions {
     std::uint32_t size = 1000;
-    double noise = 0;        ///< radius of the uniform ball added to each point, in input units
+    double noise = 0;  ///< radius of the uniform ball added to each point, in input units
     std::uint64_t seed = 1;
 };
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace plateau {
+
+inline constexpr double kTwoPi = 6.283185307179586;
+
+/// Sine and cosine of one angle.
+struct SineCosine {
+    double sine = 0;
+    double cosine = 1;
+};
+
+/// Sine and cosine of 2 pi `turns` from + - * alone, the same bits on every machine; the standard library's differ by
+/// an ulp from one to the next. Absolute error below 1e-15, exact at quarter turns. Precondition: |turns| < 2^48.
+inline SineCosine sine_cosine_of_turns(double turns) {
+    const double quarters = std::floor(turns * 4 + 0.5);
+    const double x = (turns - quarters * 0.25) * kTwoPi;  // the difference is exact; |x| <= pi / 4
+    const double y = x * x;
+    // Taylor series; the first term left out is below 2e-19.
+    double sine = 1.0 / 355687428096000;
+    sine = sine * y - 1.0 / 1307674368000;
+    sine = sine * y + 1.0 / 6227020800;
+    sine = sine * y - 1.0 / 39916800;
+    sine = sine * y + 1.0 / 362880;
+    sine = sine * y - 1.0 / 5040;
+    sine = sine * y + 1.0 / 120;
+    sine = sine * y - 1.0 / 6;
+    sine = x + x * (y * sine);
+    double cosine = 1.0 / 20922789888000;
+    cosine = cosine * y - 1.0 / 87178291200;
+    cosine = cosine * y + 1.0 / 479001600;
+    cosine = cosine * y - 1.0 / 3628800;
+    cosine = cosine * y + 1.0 / 40320;
+    cosine = cosine * y - 1.0 / 720;
+    cosine = cosine * y + 1.0 / 24;
+    cosine = cosine * y - 1.0 / 2;
+    cosine = 1 + y * cosine;
+    switch (static_cast<std::int64_t>(quarters) & 3) {
+        case 0:
+            return {sine, cosine};
+        case 1:
+            return {cosine, -sine};
+        case 2:
+            return {-sine, -cosine};
+        default:
+            return {-cosine, sine};
+    }
+}
+
+}  // namespace plateau

@@ -1,0 +1,204 @@
+#include "cloud/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+
+#include "base/hash.h"
+#include "cloud/implicit_surface.h"
+
+namespace plateau {
+namespace {
+
+PointCloud sampled(std::string_view name, const SampleOptions& options) {
+    auto result = sample_shape(name, options);
+    EXPECT_TRUE(result) << result.error().message;
+    return std::move(result).value();
+}
+
+std::uint64_t bits(const PointCloud& cloud) {
+    Fnv1a64 hash;
+    hash.add_u32(cloud.dimension);
+    for (const double coordinate : cloud.coordinates) hash.add_f64(coordinate);
+    return hash.value();
+}
+
+double torus_residual(std::span<const double> p) {
+    const double outward = std::sqrt(p[0] * p[0] + p[1] * p[1]) - 1;
+    return std::sqrt(outward * outward + p[2] * p[2]) - 0.4;
+}
+
+/// 0 on the shape, by another formula than the generator's where there is one.
+double residual(std::string_view name, std::span<const double> p) {
+    const double radius =
+        p.size() == 2 ? std::sqrt(p[0] * p[0] + p[1] * p[1]) : std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    if (name == "circle-noise") return std::max(0.0, std::abs(radius - 1) - 0.05);
+    if (name == "nested-circles") return std::min(std::abs(radius - 1), std::abs(radius - 0.4));
+    if (name == "sphere") return radius - 1;
+    if (name == "torus" || name == "helix") return torus_residual(p);
+    if (name == "tanglecube") return tanglecube_field({p[0], p[1], p[2]}).value;
+    if (name == "double-torus") return double_torus_field({p[0], p[1], p[2]}).value;
+    if (name == "trefoil") {
+        // With s = x^2 + y^2 = 5 - 4 cos 3t and z = -sin 3t.
+        const double cosine = (5 - p[0] * p[0] - p[1] * p[1]) / 4;
+        return cosine * cosine + p[2] * p[2] - 1;
+    }
+    if (name == "swiss-roll") {
+        const double turns = std::sqrt(p[0] * p[0] + p[1] * p[1]) * 2.25;
+        const double angle = std::atan2(p[1], p[0]) / 6.283185307179586 - turns;
+        return (angle - std::round(angle)) + (std::abs(p[2]) <= 0.75 ? 0 : 1) + (turns < 0.75 || turns > 2.25);
+    }
+    if (name == "corner-curve") {
+        // Fold the plane by the star's fivefold symmetry and mirror onto one side, from a tip to an inner corner.
+        const double tenth = 0.6283185307179586;
+        double angle = std::abs(std::remainder(std::atan2(p[0], p[1]), 2 * tenth));
+        const double x = radius * std::cos(angle);
+        const double y = radius * std::sin(angle);
+        const double inner_x = 0.45 * std::cos(tenth);
+        const double inner_y = 0.45 * std::sin(tenth);
+        return (x - 1) * inner_y - y * (inner_x - 1);
+    }
+    ADD_FAILURE() << "no equation for " << name;
+    return 1;
+}
+
+TEST(Samples, EveryShapeOfTheContractInItsOrder) {
+    const std::vector<std::string> names = {"circle-noise", "nested-circles", "corner-curve", "sphere",  "torus",
+                                            "double-torus", "helix",          "tanglecube",   "trefoil", "swiss-roll"};
+    ASSERT_EQ(sample_shapes().size(), names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const SampleShape& shape = sample_shapes()[k];
+        EXPECT_EQ(shape.name, names[k]);
+        EXPECT_EQ(shape.dimension, k < 3 ? 2u : 3u);
+        EXPECT_GE(shape.default_size, 1000u);
+        EXPECT_TRUE(shape.look_for.ends_with(".")) << shape.name;
+    }
+}
+
+TEST(Samples, SameBitsOnEveryMachine) {
+    const std::map<std::string_view, std::uint64_t> golden = {
+        {"circle-noise", 0x8a3cf3e1734fe656ull}, {"nested-circles", 0xdc5d4b1e237923a3ull},
+        {"corner-curve", 0x383065e3bd7950a3ull}, {"sphere", 0xe977c1909bb04f80ull},
+        {"torus", 0x0a9e5cfccc97c13aull},        {"double-torus", 0x5e5e6262d7e33182ull},
+        {"helix", 0x6630135caa049451ull},        {"tanglecube", 0xe7790f648c318715ull},
+        {"trefoil", 0x24b479000f96e5b0ull},      {"swiss-roll", 0x25f89a769815b0d8ull},
+    };
+    for (const SampleShape& shape : sample_shapes()) {
+        ASSERT_TRUE(golden.contains(shape.name)) << shape.name;
+        EXPECT_EQ(bits(sampled(shape.name, {.size = 200, .noise = 0, .seed = 1})), golden.at(shape.name))
+            << shape.name << " 0x" << std::hex << bits(sampled(shape.name, {.size = 200, .noise = 0, .seed = 1}));
+    }
+    EXPECT_EQ(bits(sampled("torus", {.size = 200, .noise = 0.1, .seed = 7})), 0x6cb5d81674686301ull)
+        << std::hex << bits(sampled("torus", {.size = 200, .noise = 0.1, .seed = 7}));
+}
+
+TEST(Samples, PointsLieOnTheShape) {
+    for (const SampleShape& shape : sample_shapes()) {
+        for (const std::uint32_t size : {1u, 2u, 3u, 2000u}) {
+            const PointCloud cloud = sampled(shape.name, {.size = size, .noise = 0, .seed = 3});
+            ASSERT_EQ(cloud.dimension, shape.dimension);
+            ASSERT_EQ(cloud.size(), size);
+            for (std::uint32_t k = 0; k < size; ++k) {
+                ASSERT_NEAR(residual(shape.name, cloud.point(k)), 0, 1e-12) << shape.name << " point " << k;
+            }
+        }
+    }
+}
+
+TEST(Samples, GradientsOfTheFieldsAreTheirDerivatives) {
+    for (const ScalarField field : {&tanglecube_field, &double_torus_field}) {
+        Random random(5);
+        for (int k = 0; k < 200; ++k) {
+            Vector3 p{};
+            for (double& coordinate : p) coordinate = random.next_between(-1.5, 1.5);
+            const FieldSample here = field(p);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                Vector3 ahead = p;
+                Vector3 behind = p;
+                ahead[axis] += 1e-6;
+                behind[axis] -= 1e-6;
+                EXPECT_NEAR((field(ahead).value - field(behind).value) / 2e-6, here.gradient[axis], 1e-4);
+            }
+        }
+    }
+}
+
+TEST(Samples, BoxesHoldTheImplicitSurfaces) {
+    // A point cut off by the box would pile the sample up at its faces.
+    for (const auto& [name, low_x, high_x, high_z] :
+         {std::tuple{"tanglecube", -2.35, 2.35, 2.35}, std::tuple{"double-torus", -1.45, 2.45, 0.45}}) {
+        const PointCloud cloud = sampled(name, {.size = 20'000, .noise = 0, .seed = 2});
+        for (std::uint32_t k = 0; k < cloud.size(); ++k) {
+            EXPECT_GT(cloud.point(k)[0], low_x);
+            EXPECT_LT(cloud.point(k)[0], high_x);
+            EXPECT_LT(std::abs(cloud.point(k)[2]), high_z);
+        }
+    }
+}
+
+TEST(Samples, TorusIsUniformByArea) {
+    // The outer half of a torus (beyond R) has the share 1/2 + r / (pi R).
+    const PointCloud cloud = sampled("torus", {.size = 40'000, .noise = 0, .seed = 4});
+    double outer = 0;
+    for (std::uint32_t k = 0; k < cloud.size(); ++k) {
+        const auto p = cloud.point(k);
+        outer += p[0] * p[0] + p[1] * p[1] > 1;
+    }
+    EXPECT_NEAR(outer / cloud.size(), 0.5 + 0.4 / 3.14159265, 0.01);
+}
+
+TEST(Samples, NoiseIsABallOfItsRadiusAndMovesNothingElse) {
+    for (const SampleShape& shape : sample_shapes()) {
+        const PointCloud clean = sampled(shape.name, {.size = 3000, .noise = 0, .seed = 9});
+        const PointCloud noisy = sampled(shape.name, {.size = 3000, .noise = 0.25, .seed = 9});
+        double largest = 0;
+        double inner_half = 0;
+        for (std::uint32_t k = 0; k < clean.size(); ++k) {
+            const double distance = std::sqrt(distance_squared(clean.point(k), noisy.point(k)));
+            EXPECT_LE(distance, 0.25 * (1 + 1e-9));
+            largest = std::max(largest, distance);
+            inner_half += distance < 0.125;
+        }
+        EXPECT_GT(largest, 0.24) << shape.name;
+        EXPECT_NEAR(inner_half / clean.size(), shape.dimension == 2 ? 0.25 : 0.125, 0.03) << shape.name;
+    }
+}
+
+TEST(Samples, SeedsDiffer) {
+    for (const SampleShape& shape : sample_shapes()) {
+        std::set<std::uint64_t> seen;
+        for (const std::uint64_t seed : {0ull, 1ull, 2ull, ~0ull}) {
+            seen.insert(bits(sampled(shape.name, {.size = 50, .noise = 0.01, .seed = seed})));
+        }
+        EXPECT_EQ(seen.size(), 4u) << shape.name;
+    }
+}
+
+TEST(Samples, CurvesWithoutNoiseIgnoreTheSeed) {
+    for (const char* name : {"helix", "trefoil"}) {
+        EXPECT_EQ(bits(sampled(name, {.size = 50, .noise = 0, .seed = 1})),
+                  bits(sampled(name, {.size = 50, .noise = 0, .seed = 2})));
+    }
+}
+
+TEST(Samples, Errors) {
+    const auto unknown = sample_shape("cube", {});
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().code, ErrorCode::InvalidOption);
+    for (const SampleShape& shape : sample_shapes()) {
+        EXPECT_NE(unknown.error().message.find(shape.name), std::string::npos) << unknown.error().message;
+    }
+    EXPECT_EQ(sample_shape("torus", {.size = 0}).error().code, ErrorCode::InvalidOption);
+    EXPECT_EQ(sample_shape("torus", {.size = 10'000'001}).error().code, ErrorCode::InvalidOption);
+    for (const double noise :
+         {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_EQ(sample_shape("torus", {.size = 5, .noise = noise}).error().code, ErrorCode::InvalidOption);
+    }
+}
+
+}  // namespace
+}  // namespace plateau
