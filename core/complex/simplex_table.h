@@ -26,9 +26,9 @@ inline constexpr int kMaxTracks = 2;
 /// held has death[t] == birth.
 struct SimplexTable {
     int dimension = 1;
-    std::vector<Step> vertices;                         ///< (k+1) steps a simplex, ascending
-    std::array<std::vector<Step>, kMaxTracks> death;    ///< one a simplex and track in use
-    std::vector<SimplexIndex> first_of_step = {0, 0};   ///< [s] = first simplex with birth >= s; s = 0 .. steps + 1
+    std::vector<Step> vertices;                        ///< (k+1) steps a simplex, ascending
+    std::array<std::vector<Step>, kMaxTracks> death;   ///< one a simplex and track in use
+    std::vector<SimplexIndex> first_of_step = {0, 0};  ///< [s] = first simplex with birth >= s; s = 0 .. steps + 1
 
     SimplexIndex size() const {
         return static_cast<SimplexIndex>(vertices.size() / static_cast<std::size_t>(dimension + 1));
@@ -45,6 +45,13 @@ struct SimplexTable {
     }
     /// The simplex with this ascending vertex tuple, or kNoSimplex. Cost: O(log(births of one step)).
     SimplexIndex find(std::span<const Step> tuple) const;
+};
+
+/// A death in one track.
+struct Death {
+    std::uint8_t track = 0;
+    std::uint8_t dimension = 1;
+    SimplexIndex simplex = 0;
 };
 
 }  // namespace plateau

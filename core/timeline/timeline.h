@@ -22,30 +22,23 @@ struct SurfaceRow {
     SimplexIndex triangle = 0;  ///< in the triangle table
     std::uint8_t side = 0;      ///< 0: the outer side is where (v0,v1,v2) turn counter-clockwise; 1: the other
     Step from = 0;
-    Step to = kNever;           ///< in the surface at step i exactly for from <= i < to
-};
-
-/// A death in one track.
-struct Death {
-    std::uint8_t dimension = 1;
-    std::uint8_t track = 0;
-    SimplexIndex simplex = 0;
+    Step to = kNever;  ///< in the surface at step i exactly for from <= i < to
 };
 
 /// The append-only record of a run: everything any step needs, as lifespans. Steps 1 .. step_count() are complete;
 /// entries of later steps may be under way and have births or deaths beyond step_count().
 struct Timeline {
-    std::uint32_t dimension = 0;            ///< of the cloud
+    std::uint32_t dimension = 0;  ///< of the cloud
     Family family = Family::Auto;
     int track_count = 1;
-    Step step_count = 0;                    ///< steps with Betti numbers
+    Step step_count = 0;  ///< steps with Betti numbers
 
-    std::vector<std::uint32_t> landmarks;   ///< [step-1] = 0-based input index
-    std::vector<double> epsilon_squared;    ///< [step-1] = epsilon(step)^2, input units squared, non-increasing
+    std::vector<std::uint32_t> landmarks;          ///< [step-1] = 0-based input index
+    std::vector<double> epsilon_squared;           ///< [step-1] = epsilon(step)^2, input units squared, non-increasing
     std::vector<std::uint8_t> delaunay_dimension;  ///< [step-1] = dimension m of D(L); family witness: 0
-    std::vector<SimplexTable> simplices;    ///< [k-1] = table of dimension k, k = 1 .. dimension
+    std::vector<SimplexTable> simplices;           ///< [k-1] = table of dimension k, k = 1 .. dimension
 
-    std::vector<Death> deaths;              ///< in step order; within a step by (track, dimension, tuple)
+    std::vector<Death> deaths;  ///< in step order; within a step by (track, dimension, tuple)
     std::vector<std::size_t> first_death_of_step = {0, 0};  ///< [s] = first death at step >= s
 
     std::vector<SurfaceRow> surface;        ///< families surface and auto, in 3d
@@ -53,8 +46,8 @@ struct Timeline {
     std::vector<std::size_t> first_ended_row_of_step = {0, 0};
     std::vector<std::uint32_t> first_row_of_step = {0, 0};
 
-    std::vector<Family> shown_family;       ///< [step-1]; never Auto
-    std::vector<std::uint32_t> betti;       ///< `dimension` numbers a step: beta_0 .. beta_{d-1}
+    std::vector<Family> shown_family;  ///< [step-1]; never Auto
+    std::vector<std::uint32_t> betti;  ///< `dimension` numbers a step: beta_0 .. beta_{d-1}
 
     double epsilon(Step step) const;
     std::span<const std::uint32_t> betti_at(Step step) const {

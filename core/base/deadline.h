@@ -1,0 +1,22 @@
+#pragma once
+
+#include <chrono>
+
+namespace plateau {
+
+/// A moment after which sliced work returns to its caller. The only clock of the core.
+class Deadline {
+public:
+    /// `milliseconds` from now; infinity never passes.
+    explicit Deadline(double milliseconds) : budget_ms_(milliseconds) {}
+    bool passed() const { return elapsed_ms() >= budget_ms_; }
+    double elapsed_ms() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    double budget_ms_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace plateau
