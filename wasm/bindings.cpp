@@ -1,0 +1,16 @@
+#include <emscripten/bind.h>
+
+#include "run.h"
+
+// The table of what JavaScript can call; what it means is in run.h, its types in plateau-module.d.ts.
+EMSCRIPTEN_BINDINGS(plateau) {
+    emscripten::function("sampleShapes", &plateau::sample_list);
+    emscripten::class_<plateau::Run>("Run")
+        .constructor<const emscripten::val&, const emscripten::val&>()
+        .function("open", &plateau::Run::open)
+        .function("run", &plateau::Run::run)
+        .function("delta", &plateau::Run::delta)
+        .function("plateaus", &plateau::Run::plateaus)
+        .function("exportFile", &plateau::Run::export_file)
+        .function("hash", &plateau::Run::hash);
+}

@@ -1,0 +1,96 @@
+#include "options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "cloud/samples.h"
+
+namespace plateau::marshal {
+
+using emscripten::val;
+
+namespace {
+
+constexpr const char* kFamilyNames[] = {"witness", "delaunay", "surface", "auto"};
+
+Error invalid(std::string message) {
+    return {ErrorCode::InvalidOption, std::move(message)};
+}
+
+}  // namespace
+
+std::string family_name(Family family) {
+    return kFamilyNames[static_cast<std::size_t>(family)];
+}
+
+bool given(const val& value) {
+    return !value.isUndefined() && !value.isNull();
+}
+
+Result<std::uint32_t> count_of(const val& value, const std::string& name) {
+    const double number = value.as<double>();
+    if (!(number >= 0 && number <= 4294967295.0) || number != std::floor(number)) {
+        return invalid(name + " must be a whole number of at least 0.");
+    }
+    return static_cast<std::uint32_t>(number);
+}
+
+Result<std::vector<std::uint32_t>> counts_of(const val& array, const std::string& name) {
+    std::vector<std::uint32_t> counts;
+    const auto length = array["length"].as<std::uint32_t>();
+    for (std::uint32_t i = 0; i < length; ++i) {
+        auto count = count_of(array[i], name);
+        if (!count) return count.error();
+        counts.push_back(count.value());
+    }
+    return counts;
+}
+
+Result<RunOptions> run_options_of(const val& source) {
+    RunOptions options;
+    if (!given(source)) return options;
+    if (const val family = source["family"]; given(family)) {
+        const auto name = family.as<std::string>();
+        const auto* found = std::find(std::begin(kFamilyNames), std::end(kFamilyNames), name);
+        if (found == std::end(kFamilyNames)) {
+            return invalid("There is no family \"" + name + "\"; take witness, delaunay, surface or auto.");
+        }
+        options.family = static_cast<Family>(found - std::begin(kFamilyNames));
+    }
+    if (const val nu = source["nu"]; given(nu)) {
+        auto entries = counts_of(nu, "Each entry of nu");
+        if (!entries) return entries.error();
+        options.nu = std::move(entries).value();
+    }
+    if (const val first = source["first"]; given(first)) {
+        auto index = count_of(first, "The first landmark");
+        if (!index) return index.error();
+        options.first = index.value();
+    }
+    if (const val steps = source["maxSteps"]; given(steps)) {
+        auto count = count_of(steps, "The number of steps");
+        if (!count) return count.error();
+        options.max_steps = count.value();
+    }
+    if (const val epsilon = source["untilEpsilon"]; given(epsilon)) options.until_epsilon = epsilon.as<double>();
+    if (const val rho = source["rho"]; given(rho)) options.rho = rho.as<double>();
+    return options;
+}
+
+Result<PointCloud> sample_of(const val& source) {
+    SampleOptions options;
+    auto size = count_of(source["size"], "The number of points");
+    if (!size) return size.error();
+    options.size = size.value();
+    if (const val noise = source["noise"]; given(noise)) options.noise = noise.as<double>();
+    if (const val seed = source["seed"]; given(seed)) {
+        auto number = count_of(seed, "The seed");
+        if (!number) return number.error();
+        options.seed = number.value();
+    }
+    return sample_shape(source["shape"].as<std::string>(), options);
+}
+
+}  // namespace plateau::marshal

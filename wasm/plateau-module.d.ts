@@ -1,0 +1,68 @@
+/**
+ * The face of the WebAssembly module (build/wasm/bin/plateau.mjs), written by hand against run.h.
+ * Everything that comes back is a plain object of typed arrays that JavaScript owns: it can be transferred.
+ */
+import type {
+  CloudSource,
+  Delta,
+  ExportFormat,
+  Failure,
+  Opened,
+  Plateaus,
+  RunOptions,
+  RunState,
+} from '../web/src/worker/protocol.ts';
+
+export interface Failed {
+  readonly kind: 'failed';
+  readonly failure: Failure;
+}
+
+export interface Progress {
+  readonly kind: 'progress';
+  readonly state: RunState;
+  readonly stepsDone: number;
+  readonly stepsPlanned: number;
+  readonly epsilon: number;
+  readonly stopped?: Failure;
+}
+
+export interface ModuleRun {
+  /** Reads on for about `budgetMs`; call again while it says 'reading'. */
+  open(budgetMs: number): { readonly kind: 'reading' } | { readonly kind: 'opened'; readonly opened: Opened } | Failed;
+  /** Whole steps until the budget (milliseconds, steps) is spent; at least one unit of work. */
+  run(budgetMs: number, maxSteps: number): Progress | Failed;
+  /** What was appended since the last call, at most about `maxSimplices` simplices. */
+  delta(maxSimplices: number): Delta | Failed;
+  plateaus(): Plateaus | Failed;
+  exportFile(
+    format: ExportFormat,
+    step: number | undefined,
+  ): { readonly kind: 'file'; readonly bytes: Uint8Array<ArrayBuffer> } | Failed;
+  /** 16 hexadecimal digits over all complete steps. */
+  hash(): string;
+  /** Frees the run's memory inside the module. */
+  delete(): void;
+}
+
+export interface SampleShape {
+  readonly name: string;
+  readonly dimension: number;
+  readonly defaultSize: number;
+  /** One sentence for the visitor. */
+  readonly lookFor: string;
+}
+
+export interface PlateauModule {
+  readonly Run: new (source: CloudSource, options: RunOptions) => ModuleRun;
+  sampleShapes(): SampleShape[];
+}
+
+export interface ModuleOptions {
+  /** For Node: the bytes of plateau.wasm. */
+  readonly wasmBinary?: ArrayBuffer | Uint8Array;
+  /** For the browser: where plateau.wasm was put. */
+  readonly locateFile?: (name: string) => string;
+}
+
+export default function createModule(options?: ModuleOptions): Promise<PlateauModule>;

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/cloud_reader.h"
+#include "session/session.h"
+
+namespace plateau {
+
+/// One run as JavaScript sees it: a source and options in; slices of work, copies of the record and files out.
+/// The plain objects that go out are described in plateau-module.d.ts. Expected failures are values; nothing throws.
+class Run {
+public:
+    /// `source` and `options`: CloudSource and RunOptions of web/src/worker/protocol.ts. Faults in them show in open().
+    Run(const emscripten::val& source, const emscripten::val& options);
+
+    /// Reads on for about `budget_ms`: {kind: 'reading'}, then once {kind: 'opened', opened}, or {kind: 'failed'}.
+    emscripten::val open(double budget_ms);
+    /// Computes for about `budget_ms` or `max_steps` steps, whichever ends first, at least one unit: {kind:
+    /// 'progress'}.
+    emscripten::val run(double budget_ms, std::uint32_t max_steps);
+    /// What was appended since the last call: whole steps with about `max_simplices` simplices at most, at least one
+    /// step if there is one. Its state is final only once everything was handed out.
+    emscripten::val delta(std::uint32_t max_simplices);
+    emscripten::val plateaus() const;
+    /// `format`: 'betti-csv', 'plateaus-json' or 'mesh-ply'; `step`: 1-based, or undefined for the default.
+    emscripten::val export_file(const std::string& format, const emscripten::val& step) const;
+    /// 16 hexadecimal digits over all complete steps.
+    std::string hash() const;
+
+private:
+    emscripten::val opened_with(PointCloud cloud, const std::vector<std::string>& warnings);
+
+    RunOptions options_;
+    std::optional<Error> error_;
+    std::optional<CloudReader> reader_;
+    std::optional<PointCloud> sample_;
+    std::optional<Session> session_;
+    Step handed_out_ = 0;  ///< steps that delta() has given away
+};
+
+/// The built-in shapes: [{name, dimension, defaultSize, lookFor}].
+emscripten::val sample_list();
+
+}  // namespace plateau
