@@ -29,7 +29,9 @@ export interface Progress {
 
 export interface ModuleRun {
   /** Reads on for about `budgetMs`; call again while it says 'reading'. */
-  open(budgetMs: number): { readonly kind: 'reading' } | { readonly kind: 'opened'; readonly opened: Opened } | Failed;
+  open(
+    budgetMs: number,
+  ): { readonly kind: 'reading' } | { readonly kind: 'opened'; readonly opened: Opened } | Failed;
   /** Whole steps until the budget (milliseconds, steps) is spent; at least one unit of work. */
   run(budgetMs: number, maxSteps: number): Progress | Failed;
   /** What was appended since the last call, at most about `maxSimplices` simplices. */

@@ -138,7 +138,22 @@ export type WorkerEvent =
   | { readonly kind: 'paused'; readonly runId: number; readonly requestId: number }
   | { readonly kind: 'resumed'; readonly runId: number; readonly requestId: number }
   | { readonly kind: 'delta'; readonly runId: number; readonly requestId: number; readonly delta: Delta }
-  | { readonly kind: 'plateaus'; readonly runId: number; readonly requestId: number; readonly plateaus: Plateaus }
-  | { readonly kind: 'exported'; readonly runId: number; readonly requestId: number; readonly bytes: Uint8Array }
+  | {
+      readonly kind: 'plateaus';
+      readonly runId: number;
+      readonly requestId: number;
+      readonly plateaus: Plateaus;
+    }
+  | {
+      readonly kind: 'exported';
+      readonly runId: number;
+      readonly requestId: number;
+      readonly bytes: Uint8Array;
+    }
   | { readonly kind: 'closed'; readonly runId: number; readonly requestId: number }
-  | { readonly kind: 'failed'; readonly runId: number; readonly requestId: number; readonly failure: Failure };
+  | {
+      readonly kind: 'failed';
+      readonly runId: number;
+      readonly requestId: number;
+      readonly failure: Failure;
+    };

@@ -1,0 +1,102 @@
+import type {
+  CloudSource,
+  Delta,
+  ExportFormat,
+  Opened,
+  Plateaus,
+  RunOptions,
+  WorkerEvent,
+} from '../worker/protocol.ts';
+import { PlateauError, WORKER_FAILED } from './plateau-error.ts';
+import { WorkerLink, type WorkerLike } from './worker-link.ts';
+
+function startWorker(): WorkerLike {
+  return new Worker(new URL('../worker/main.ts', import.meta.url), { type: 'module' });
+}
+
+function outOfTurn(event: WorkerEvent): PlateauError {
+  return new PlateauError({
+    code: WORKER_FAILED,
+    message: `The computation answered out of turn (${event.kind}).`,
+  });
+}
+
+/** A run in the worker. Close it when it is no longer shown; its memory is freed there. */
+export class RemoteRun {
+  constructor(
+    private readonly link: WorkerLink,
+    private readonly runId: number,
+    readonly opened: Opened,
+  ) {}
+
+  async fetchDelta(): Promise<Delta> {
+    const event = await this.link.send({ kind: 'fetchDelta', runId: this.runId });
+    if (event.kind !== 'delta') throw outOfTurn(event);
+    return event.delta;
+  }
+
+  async fetchPlateaus(): Promise<Plateaus> {
+    const event = await this.link.send({ kind: 'fetchPlateaus', runId: this.runId });
+    if (event.kind !== 'plateaus') throw outOfTurn(event);
+    return event.plateaus;
+  }
+
+  /** The bytes of a file in the command's format; `step` is for the mesh. */
+  async exportFile(format: ExportFormat, step?: number): Promise<Uint8Array> {
+    const at = step === undefined ? {} : { step };
+    const event = await this.link.send({ kind: 'export', runId: this.runId, format, ...at });
+    if (event.kind !== 'exported') throw outOfTurn(event);
+    return event.bytes;
+  }
+
+  async pause(): Promise<void> {
+    await this.link.send({ kind: 'pause', runId: this.runId });
+  }
+
+  async resume(): Promise<void> {
+    await this.link.send({ kind: 'resume', runId: this.runId });
+  }
+
+  async close(): Promise<void> {
+    await this.link.send({ kind: 'close', runId: this.runId });
+  }
+}
+
+/** The page's door to the computation: opens runs in one worker, which it replaces when it dies. */
+export class PlateauClient {
+  private readonly link: WorkerLink;
+  private nextRunId = 1;
+
+  constructor(options: { onDeath?: (error: PlateauError) => void; spawn?: () => WorkerLike } = {}) {
+    this.link = new WorkerLink(options.spawn ?? startWorker, options.onDeath ?? (() => undefined));
+  }
+
+  /**
+   * Reads the source and starts a run; resolves once it can be watched. The bytes of a file are transferred: the
+   * caller's buffer is empty afterwards. An aborted signal closes the run within a slice and rejects with its reason.
+   */
+  async open(source: CloudSource, options: RunOptions, signal?: AbortSignal): Promise<RemoteRun> {
+    signal?.throwIfAborted();
+    const runId = this.nextRunId++;
+    const abort = (): void => {
+      this.link.send({ kind: 'close', runId }).catch(() => undefined);
+    };
+    signal?.addEventListener('abort', abort, { once: true });
+    try {
+      const transfer = source.kind === 'file' ? [source.bytes] : [];
+      const event = await this.link.send({ kind: 'open', runId, source, options }, transfer);
+      signal?.throwIfAborted();
+      if (event.kind !== 'opened') throw outOfTurn(event);
+      return new RemoteRun(this.link, runId, event.opened);
+    } catch (error) {
+      signal?.throwIfAborted();
+      throw error;
+    } finally {
+      signal?.removeEventListener('abort', abort);
+    }
+  }
+
+  dispose(): void {
+    this.link.dispose();
+  }
+}

@@ -1,0 +1,112 @@
+import type { WorkerEvent, WorkerRequest } from '../worker/protocol.ts';
+import { PlateauError, WORKER_FAILED } from './plateau-error.ts';
+
+/** What the link needs of a Worker; a test brings its own. */
+export interface WorkerLike {
+  onmessage: ((event: MessageEvent<WorkerEvent>) => unknown) | null;
+  onmessageerror: ((event: MessageEvent) => unknown) | null;
+  onerror: ((event: ErrorEvent) => unknown) | null;
+  postMessage(request: WorkerRequest, transfer: Transferable[]): void;
+  terminate(): void;
+}
+
+type WithoutId<T> = T extends unknown ? Omit<T, 'requestId'> : never;
+export type OutgoingRequest = WithoutId<WorkerRequest>;
+
+interface Pending {
+  readonly resolve: (event: WorkerEvent) => void;
+  readonly reject: (error: Error) => void;
+}
+
+/** A worker is asked to answer within a slice; one that says nothing for this many looks in a row is dead. */
+const LOOK_EVERY_MS = 5_000;
+const SILENT_LOOKS = 6;
+
+/**
+ * Requests become promises. Every promise settles: with its answer, with a failure of the core, or, when the worker
+ * dies or falls silent, with a readable failure. A dead worker is replaced by the next request.
+ */
+export class WorkerLink {
+  private worker: WorkerLike | undefined;
+  private readonly pending = new Map<number, Pending>();
+  private nextRequestId = 1;
+  private silentLooks = 0;
+  private watch: ReturnType<typeof setInterval> | undefined;
+
+  /** `onDeath` is told why a worker died, also when nobody was waiting. All its runs are gone then. */
+  constructor(
+    private readonly spawn: () => WorkerLike,
+    private readonly onDeath: (error: PlateauError) => void,
+  ) {}
+
+  send(request: OutgoingRequest, transfer: Transferable[] = []): Promise<WorkerEvent> {
+    const requestId = this.nextRequestId++;
+    return new Promise((resolve, reject) => {
+      this.pending.set(requestId, { resolve, reject });
+      this.startWatch();
+      try {
+        this.worker ??= this.start();
+        this.worker.postMessage({ ...request, requestId }, transfer);
+      } catch (error) {
+        this.pending.delete(requestId);
+        reject(error instanceof Error ? error : new Error(String(error)));
+      }
+    });
+  }
+
+  /** Ends the worker; what is pending fails. The next request starts a fresh one. */
+  dispose(): void {
+    this.end(new PlateauError({ code: WORKER_FAILED, message: 'The computation was closed.' }));
+  }
+
+  private start(): WorkerLike {
+    const worker = this.spawn();
+    worker.onmessage = ({ data }) => {
+      this.silentLooks = 0;
+      if (data.kind === 'ready') return;
+      const waiting = this.pending.get(data.requestId);
+      if (!waiting) return;
+      this.pending.delete(data.requestId);
+      if (data.kind === 'failed') waiting.reject(new PlateauError(data.failure));
+      else waiting.resolve(data);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.die(event.message || 'its program could not be loaded');
+    };
+    worker.onmessageerror = () => this.die('a message could not be read');
+    return worker;
+  }
+
+  private startWatch(): void {
+    if (this.watch !== undefined) return;
+    this.silentLooks = 0;
+    this.watch = setInterval(() => {
+      if (this.pending.size === 0) this.stopWatch();
+      else if (++this.silentLooks >= SILENT_LOOKS) this.die('it no longer answers');
+    }, LOOK_EVERY_MS);
+  }
+
+  private stopWatch(): void {
+    clearInterval(this.watch);
+    this.watch = undefined;
+  }
+
+  private die(reason: string): void {
+    const error = new PlateauError({
+      code: WORKER_FAILED,
+      message: `The computation stopped unexpectedly (${reason}). What is shown stays; open the points again to go on.`,
+    });
+    this.end(error);
+    this.onDeath(error);
+  }
+
+  private end(error: PlateauError): void {
+    this.stopWatch();
+    this.worker?.terminate();
+    this.worker = undefined;
+    const waiting = [...this.pending.values()];
+    this.pending.clear();
+    for (const { reject } of waiting) reject(error);
+  }
+}

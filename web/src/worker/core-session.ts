@@ -1,0 +1,50 @@
+import type { Failed, ModuleRun, PlateauModule, Progress } from 'plateau-module';
+import type { CloudSource, Delta, ExportFormat, Failure, Opened, Plateaus, RunOptions } from './protocol.ts';
+
+/** An expected failure of the core, thrown so that the runtime answers it in one place. */
+export class CoreFailure extends Error {
+  constructor(readonly failure: Failure) {
+    super(failure.message);
+  }
+}
+
+function unwrapped<T extends object>(value: T | Failed): T {
+  if ('failure' in value) throw new CoreFailure(value.failure);
+  return value;
+}
+
+/** One run inside the module. `dispose` frees its memory there; nothing may be called after it. */
+export class CoreSession {
+  private readonly run: ModuleRun;
+
+  constructor(module: PlateauModule, source: CloudSource, options: RunOptions) {
+    this.run = new module.Run(source, options);
+  }
+
+  /** Undefined while there is more to read. */
+  open(budgetMs: number): Opened | undefined {
+    const answer = unwrapped(this.run.open(budgetMs));
+    return answer.kind === 'opened' ? answer.opened : undefined;
+  }
+
+  advance(budgetMs: number): Progress {
+    return unwrapped(this.run.run(budgetMs, 0xffffffff));
+  }
+
+  /** What was appended since the last call, in a size that a page digests within one frame. */
+  delta(maxSimplices: number): Delta {
+    return unwrapped(this.run.delta(maxSimplices));
+  }
+
+  plateaus(): Plateaus {
+    return unwrapped(this.run.plateaus());
+  }
+
+  exportFile(format: ExportFormat, step: number | undefined): Uint8Array<ArrayBuffer> {
+    return unwrapped(this.run.exportFile(format, step)).bytes;
+  }
+
+  dispose(): void {
+    this.run.delete();
+  }
+}

@@ -1,0 +1,4 @@
+declare module 'plateau-module/wasm' {
+  const address: string;
+  export default address;
+}

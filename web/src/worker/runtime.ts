@@ -1,0 +1,161 @@
+import type { PlateauModule } from 'plateau-module';
+import { CoreFailure, CoreSession } from './core-session.ts';
+import type { WorkerEvent, WorkerRequest } from './protocol.ts';
+import { buffersOf } from './transfer.ts';
+
+/** How long the core may work before messages are looked at: a pause or a cancel waits no longer. */
+const SLICE_MS = 12;
+/** New simplices in one delta: the page appends them well within a frame. */
+const DELTA_SIMPLICES = 60_000;
+const INTERNAL = 12;
+
+type OpenRequest = Extract<WorkerRequest, { kind: 'open' }>;
+
+interface Entry {
+  readonly core: CoreSession;
+  readonly openRequest: OpenRequest;
+  phase: 'opening' | 'running' | 'paused' | 'done';
+}
+
+export type Post = (event: WorkerEvent, transfer: ArrayBuffer[]) => void;
+
+function assertNever(request: never): never {
+  throw new Error(`Unknown request ${JSON.stringify(request)}`);
+}
+
+/**
+ * Answers requests and computes in slices in between. It knows neither the worker's scope nor the page: `post` sends,
+ * `schedule` runs a callback after waiting messages. Several runs can be open; one that opens does not disturb one
+ * that is shown. Whatever it throws is a broken module: the caller must let the worker die of it.
+ */
+export class WorkerRuntime {
+  private readonly runs = new Map<number, Entry>();
+  private scheduled = false;
+  private lastServed = 0;
+
+  constructor(
+    private readonly module: PlateauModule,
+    private readonly post: Post,
+    private readonly schedule: (callback: () => void) => void,
+  ) {}
+
+  handle(request: WorkerRequest): void {
+    this.answering(request, () => this.dispatch(request));
+  }
+
+  private dispatch(request: WorkerRequest): void {
+    const { runId, requestId } = request;
+    switch (request.kind) {
+      case 'open':
+        this.runs.set(runId, {
+          core: new CoreSession(this.module, request.source, request.options),
+          openRequest: request,
+          phase: 'opening',
+        });
+        this.wake();
+        return;
+      case 'pause': {
+        const entry = this.entry(runId);
+        if (entry.phase === 'running') entry.phase = 'paused';
+        this.send({ kind: 'paused', runId, requestId });
+        return;
+      }
+      case 'resume': {
+        const entry = this.entry(runId);
+        if (entry.phase === 'paused') entry.phase = 'running';
+        this.send({ kind: 'resumed', runId, requestId });
+        this.wake();
+        return;
+      }
+      case 'fetchDelta':
+        this.send({ kind: 'delta', runId, requestId, delta: this.entry(runId).core.delta(DELTA_SIMPLICES) });
+        return;
+      case 'fetchPlateaus':
+        this.send({ kind: 'plateaus', runId, requestId, plateaus: this.entry(runId).core.plateaus() });
+        return;
+      case 'export': {
+        const bytes = this.entry(runId).core.exportFile(request.format, request.step);
+        this.send({ kind: 'exported', runId, requestId, bytes });
+        return;
+      }
+      case 'close': {
+        const entry = this.runs.get(runId);
+        if (entry) this.drop(runId, entry, 'The run was closed before it was open.');
+        this.send({ kind: 'closed', runId, requestId });
+        return;
+      }
+      default:
+        assertNever(request);
+    }
+  }
+
+  /** One slice of work for one run, in turn; then messages first. */
+  private slice(): void {
+    this.scheduled = false;
+    const active = [...this.runs].filter(
+      ([, entry]) => entry.phase === 'opening' || entry.phase === 'running',
+    );
+    const next = active.find(([runId]) => runId > this.lastServed) ?? active[0];
+    if (!next) return;
+    const [runId, entry] = next;
+    this.lastServed = runId;
+    if (entry.phase === 'opening') {
+      this.answering(entry.openRequest, () => this.openSlice(runId, entry));
+    } else {
+      const { state } = entry.core.advance(SLICE_MS);
+      if (state === 'finished' || state === 'stopped') entry.phase = 'done';
+    }
+    this.wake();
+  }
+
+  private openSlice(runId: number, entry: Entry): void {
+    const opened = entry.core.open(SLICE_MS);
+    if (!opened) return;
+    entry.phase = 'running';
+    this.send({ kind: 'opened', runId, requestId: entry.openRequest.requestId, opened });
+  }
+
+  private wake(): void {
+    if (this.scheduled || this.runs.size === 0) return;
+    this.scheduled = true;
+    this.schedule(() => this.slice());
+  }
+
+  private entry(runId: number): Entry {
+    const entry = this.runs.get(runId);
+    if (!entry || entry.phase === 'opening') {
+      throw new CoreFailure({ code: INTERNAL, message: 'This run is not open.' });
+    }
+    return entry;
+  }
+
+  /** Frees a run; its open request, if still unanswered, fails with `reason`. */
+  private drop(runId: number, entry: Entry, reason: string): void {
+    this.runs.delete(runId);
+    entry.core.dispose();
+    if (entry.phase === 'opening') {
+      const { requestId } = entry.openRequest;
+      this.send({ kind: 'failed', runId, requestId, failure: { code: INTERNAL, message: reason } });
+    }
+  }
+
+  /** Answers `request` with the failure if `work` ends in an expected one. */
+  private answering(request: WorkerRequest, work: () => void): void {
+    try {
+      work();
+    } catch (error) {
+      if (!(error instanceof CoreFailure)) throw error;
+      const { runId, requestId } = request;
+      const entry = this.runs.get(runId);
+      if (request.kind === 'open' && entry) {
+        this.runs.delete(runId);
+        entry.core.dispose();
+      }
+      this.send({ kind: 'failed', runId, requestId, failure: error.failure });
+    }
+  }
+
+  private send(event: WorkerEvent): void {
+    this.post(event, buffersOf(event));
+  }
+}
