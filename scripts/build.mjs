@@ -11,9 +11,25 @@ export const jobs = Math.max(1, Math.min(availableParallelism(), Math.floor(tota
 
 async function cmake(folder, settings, { configure = ['cmake'], targets = [] } = {}) {
   const [program, ...words] = configure;
-  const args = ['-S', root, '-B', folder, '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release', '-DPLATEAU_WERROR=ON', ...settings];
+  const args = [
+    '-S',
+    root,
+    '-B',
+    folder,
+    '-G',
+    'Ninja',
+    '-DCMAKE_BUILD_TYPE=Release',
+    '-DPLATEAU_WERROR=ON',
+    ...settings,
+  ];
   await run(program, [...words, ...args]);
-  await run('cmake', ['--build', folder, '-j', String(jobs), ...targets.flatMap((target) => ['--target', target])]);
+  await run('cmake', [
+    '--build',
+    folder,
+    '-j',
+    String(jobs),
+    ...targets.flatMap((target) => ['--target', target]),
+  ]);
 }
 
 export const nativeFolder = join(root, 'build', 'native');
@@ -21,6 +37,13 @@ export const wasmFolder = join(root, 'build', 'wasm');
 
 export async function buildNative() {
   await cmake(nativeFolder, []);
+}
+
+export const sanitizedFolder = join(root, 'build', 'sanitized');
+
+/** The native build once more, with the address and undefined-behavior sanitizers. */
+export async function buildSanitized() {
+  await cmake(sanitizedFolder, ['-DPLATEAU_SANITIZE=ON']);
 }
 
 export async function buildWasm() {
@@ -81,7 +104,8 @@ if (isScript(import.meta.url)) {
   await main(async () => {
     const kinds = process.argv.slice(2);
     const unknown = kinds.filter((kind) => !(kind in builders));
-    if (unknown.length > 0) throw new Failure(`Unknown: ${unknown.join(', ')}. Known: ${Object.keys(builders).join(', ')}.`);
+    if (unknown.length > 0)
+      throw new Failure(`Unknown: ${unknown.join(', ')}. Known: ${Object.keys(builders).join(', ')}.`);
     await setup(kinds.includes('web') ? [...new Set([...kinds, 'wasm'])] : kinds);
     // The page contains the module.
     if (kinds.includes('web') && !kinds.includes('wasm') && !isCurrent('wasm')) kinds.unshift('wasm');

@@ -7,9 +7,12 @@ import { setup } from './setup.mjs';
 export async function format({ check = false } = {}) {
   const cpp = cppFiles();
   const scripts = scriptFiles();
-  console.log(`${check ? 'Checking' : 'Formatting'} ${cpp.length} C++ files and ${scripts.length} scripts and page files.`);
+  console.log(
+    `${check ? 'Checking' : 'Formatting'} ${cpp.length} C++ files and ${scripts.length} scripts and page files.`,
+  );
   const quiet = { echo: false };
-  if (cpp.length > 0) await run('clang-format', [...(check ? ['--dry-run', '-Werror'] : ['-i']), ...cpp], quiet);
+  if (cpp.length > 0)
+    await run('clang-format', [...(check ? ['--dry-run', '-Werror'] : ['-i']), ...cpp], quiet);
   if (scripts.length > 0) {
     await run('prettier', ['--log-level=warn', check ? '--check' : '--write', ...scripts], quiet);
   }

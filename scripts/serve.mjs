@@ -117,7 +117,11 @@ export async function serve(folder, { port } = {}) {
       if (error.code !== 'EADDRINUSE' && error.code !== 'EACCES') throw error;
     }
   }
-  throw new Failure(port === undefined ? 'No free port from 4173 to 4272.' : `Port ${port} is taken; choose another with --port.`);
+  throw new Failure(
+    port === undefined
+      ? 'No free port from 4173 to 4272.'
+      : `Port ${port} is taken; choose another with --port.`,
+  );
 }
 
 /** The number after --port, or undefined. */
@@ -126,7 +130,8 @@ export function portFrom(words) {
   if (place < 0) return undefined;
   const text = words[place].includes('=') ? words[place].slice('--port='.length) : words[place + 1];
   const port = Number(text);
-  if (!text || !Number.isInteger(port) || port < 0 || port > 65535) throw new Failure('--port takes a number from 0 to 65535.');
+  if (!text || !Number.isInteger(port) || port < 0 || port > 65535)
+    throw new Failure('--port takes a number from 0 to 65535.');
   return port;
 }
 
@@ -134,7 +139,9 @@ if (isScript(import.meta.url)) {
   await main(async () => {
     const words = process.argv.slice(2);
     const port = portFrom(words);
-    const folder = words.find((word, i) => !word.startsWith('--') && words[i - 1] !== '--port') ?? join(root, 'web', 'dist');
+    const folder =
+      words.find((word, i) => !word.startsWith('--') && words[i - 1] !== '--port') ??
+      join(root, 'web', 'dist');
     const { address } = await serve(resolve(folder), { port });
     console.log(`Serving ${folder} at ${address}`);
   });

@@ -28,7 +28,9 @@ const hasApt = () => onPath('apt-get') && onPath('dpkg-query');
 /** Which of the packages are not there yet. */
 function missingPackages(wanted) {
   if (!hasApt()) {
-    return [...wanted].filter(([, sign]) => sign && !(sign.file ? existsSync(sign.file) : onPath(sign.program))).map(([pkg]) => pkg);
+    return [...wanted]
+      .filter(([, sign]) => sign && !(sign.file ? existsSync(sign.file) : onPath(sign.program)))
+      .map(([pkg]) => pkg);
   }
   const query = capture('dpkg-query', ['-W', '-f=${Package} ${db:Status-Abbrev}\n', ...wanted.keys()]);
   const installed = new Set(
@@ -38,7 +40,9 @@ function missingPackages(wanted) {
       .map((line) => line.split(' ')[0]),
   );
   // A tool that was put there by other means (another g++, say) is as good as the package.
-  return [...wanted].filter(([pkg, sign]) => !installed.has(pkg) && !(sign?.program && onPath(sign.program))).map(([pkg]) => pkg);
+  return [...wanted]
+    .filter(([pkg, sign]) => !installed.has(pkg) && !(sign?.program && onPath(sign.program)))
+    .map(([pkg]) => pkg);
 }
 
 /** True when node_modules holds exactly the versions of the lock file (optional packages of other systems aside). */
@@ -63,7 +67,10 @@ function privilege() {
 const aptInstall = (packages) => ['apt-get', 'install', '-y', '--no-install-recommends', ...packages];
 const listsAreAbsent = () => {
   const folder = '/var/lib/apt/lists';
-  return !existsSync(folder) || !readdirSync(folder).some((name) => name.endsWith('_Packages') || name.includes('_Packages.'));
+  return (
+    !existsSync(folder) ||
+    !readdirSync(folder).some((name) => name.endsWith('_Packages') || name.includes('_Packages.'))
+  );
 };
 
 function apt(words) {
@@ -74,11 +81,20 @@ function apt(words) {
 
 /** What apt says that an installation takes; it only plans and needs no rights. */
 function plan(packages) {
-  const { out, err } = capture('apt-get', ['install', '--print-uris', '--no-install-recommends', ...packages]);
+  const { out, err } = capture('apt-get', [
+    'install',
+    '--print-uris',
+    '--no-install-recommends',
+    ...packages,
+  ]);
   const line = (pattern) => out.split('\n').find((text) => pattern.test(text));
   const unknown = [...err.matchAll(/Unable to locate package (\S+)/g)].map((match) => match[1]);
   const newNode = out.split('\n').some((text) => /^'[^']*' nodejs_(\d+)/.test(text));
-  return { unknown, newNode, size: [line(/^Need to get /), line(/additional disk space/)].filter(Boolean).join(' ') };
+  return {
+    unknown,
+    newNode,
+    size: [line(/^Need to get /), line(/additional disk space/)].filter(Boolean).join(' '),
+  };
 }
 
 async function agreed(yes) {
@@ -145,12 +161,18 @@ export async function setup(names, { dryRun = false, yes = false } = {}) {
     await refreshLists(dryRun);
     const { unknown, newNode, size } = plan(missing);
     if (unknown.length > 0) {
-      throw new Failure(`apt knows no package ${unknown.join(', ')}. Plateau is built on Debian 12 (bookworm) or a system with the same packages.`);
+      throw new Failure(
+        `apt knows no package ${unknown.join(', ')}. Plateau is built on Debian 12 (bookworm) or a system with the same packages.`,
+      );
     }
-    console.log(`System packages to install:\n  ${missing.join(' ')}\n  ${size || 'apt did not say how large they are.'}`);
-    if (newNode) console.log(`  They bring Debian's own, older Node.js along; ${process.execPath} stays as it is.`);
+    console.log(
+      `System packages to install:\n  ${missing.join(' ')}\n  ${size || 'apt did not say how large they are.'}`,
+    );
+    if (newNode)
+      console.log(`  They bring Debian's own, older Node.js along; ${process.execPath} stays as it is.`);
   }
-  if (modules) console.log('npm packages to install: those of package-lock.json, into node_modules (about 160 MB).');
+  if (modules)
+    console.log('npm packages to install: those of package-lock.json, into node_modules (about 160 MB).');
   if (!dryRun && !(await agreed(yes))) throw new Failure('Nothing was installed.');
 
   if (missing.length > 0) await installPackages(missing, { dryRun });
@@ -165,7 +187,8 @@ if (isScript(import.meta.url)) {
   const names = words.filter((word) => !word.startsWith('--'));
   await main(async () => {
     const unknown = names.filter((name) => !(name in needs));
-    if (unknown.length > 0) throw new Failure(`Unknown: ${unknown.join(', ')}. Known: ${Object.keys(needs).join(', ')}.`);
+    if (unknown.length > 0)
+      throw new Failure(`Unknown: ${unknown.join(', ')}. Known: ${Object.keys(needs).join(', ')}.`);
     const all = names.length > 0 ? names : Object.keys(needs);
     await setup(all, { dryRun: words.includes('--dry-run'), yes: words.includes('--yes') });
     console.log(`Ready for: ${all.join(', ')}.`);

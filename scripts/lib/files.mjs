@@ -6,7 +6,9 @@ import { capture, root } from './run.mjs';
 /** Paths relative to the root, sorted, that match the pattern. */
 export function projectFiles(pattern) {
   const { out } = capture('git', ['ls-files', '--cached', '--others', '--exclude-standard', '-z']);
-  return [...new Set(out.split('\0'))].filter((path) => pattern.test(path) && existsSync(join(root, path))).sort();
+  return [...new Set(out.split('\0'))]
+    .filter((path) => pattern.test(path) && existsSync(join(root, path)))
+    .sort();
 }
 
 export const cppFiles = () => projectFiles(/^(core|wasm|tests)\/.*\.(h|cpp)$/);

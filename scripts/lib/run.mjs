@@ -28,7 +28,11 @@ export function environment(extra = {}) {
 }
 
 function programFolders() {
-  const ours = [dirname(process.execPath), join(root, 'node_modules', '.bin'), join(privateEmscripten, 'bin')];
+  const ours = [
+    dirname(process.execPath),
+    join(root, 'node_modules', '.bin'),
+    join(privateEmscripten, 'bin'),
+  ];
   return [...ours.filter((folder) => existsSync(folder)), ...(process.env.PATH ?? '').split(delimiter)];
 }
 
@@ -50,7 +54,11 @@ export function run(program, args, { env = {}, cwd = root, echo = true } = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { cwd, env: environment(env), stdio: 'inherit' });
     child.on('error', (error) =>
-      reject(new Failure(error.code === 'ENOENT' ? `${program} is not installed; try npm run setup` : error.message)),
+      reject(
+        new Failure(
+          error.code === 'ENOENT' ? `${program} is not installed; try npm run setup` : error.message,
+        ),
+      ),
     );
     child.on('exit', (code, signal) => {
       if (code === 0) resolve();

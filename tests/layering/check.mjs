@@ -31,19 +31,23 @@ function checkCpp(root, violations, edges) {
     for (const [, open, name] of text.matchAll(/^\s*#\s*include\s*(["<])([^">]+)[">]/gm)) {
       if (open === '<') {
         for (const [key, rooms] of Object.entries(layers.external)) {
-          if (externalMatches(name, key) && !rooms.includes(room)) violations.push(`${path}: <${name}> is not for ${room}`);
+          if (externalMatches(name, key) && !rooms.includes(room))
+            violations.push(`${path}: <${name}> is not for ${room}`);
         }
         continue;
       }
       const target = [join(root, 'core', name), join(root, name), join(dirname(file), name)].find(existsSync);
       if (!target) {
-        violations.push(`${path}: "${name}" is no file of the project (outside headers go in angle brackets)`);
+        violations.push(
+          `${path}: "${name}" is no file of the project (outside headers go in angle brackets)`,
+        );
         continue;
       }
       const targetPath = relative(root, target);
       const targetRoom = targetPath.startsWith('core/') ? targetPath.split('/')[1] : 'wasm';
       const own = room === 'wasm' ? 'wasm' : room.slice('core/'.length);
-      if (targetRoom !== own && !allowed.includes(targetRoom)) violations.push(`${path}: ${room} may not include ${name}`);
+      if (targetRoom !== own && !allowed.includes(targetRoom))
+        violations.push(`${path}: ${room} may not include ${name}`);
       edges.push([path, targetPath]);
     }
   }
@@ -70,13 +74,14 @@ function checkWeb(root, violations, edges) {
       const name = match.slice(1).find(Boolean);
       if (!name.startsWith('.')) {
         for (const [key, rooms] of Object.entries(layers.webExternal)) {
-          if (externalMatches(name, key) && !rooms.includes(room)) violations.push(`${path}: ${name} is only for ${rooms.join(', ')}`);
+          if (externalMatches(name, key) && !rooms.includes(room))
+            violations.push(`${path}: ${name} is only for ${rooms.join(', ')}`);
         }
         continue;
       }
       const bare = resolve(dirname(file), name.replace(/\?.*$/, ''));
-      const target = [bare, `${bare}.ts`, bare.replace(/\.js$/, '.ts'), join(bare, 'index.ts')].find((candidate) =>
-        files.includes(candidate),
+      const target = [bare, `${bare}.ts`, bare.replace(/\.js$/, '.ts'), join(bare, 'index.ts')].find(
+        (candidate) => files.includes(candidate),
       );
       // Outside web/src lies only what a build made (the module) and its hand-written types.
       if (!target) continue;
@@ -115,7 +120,8 @@ export function violationsIn(root) {
   for (const cycle of cycles(edges)) violations.push(`cycle: ${cycle}`);
   for (const file of files) {
     const lines = readFileSync(file, 'utf8').split('\n').length - 1;
-    if (lines > layers.maxLines) violations.push(`${relative(root, file)}: ${lines} lines, at most ${layers.maxLines}`);
+    if (lines > layers.maxLines)
+      violations.push(`${relative(root, file)}: ${lines} lines, at most ${layers.maxLines}`);
   }
   return { violations, files: files.length };
 }

@@ -27,7 +27,8 @@ test('every include and import follows the table', () => {
 test('the table itself goes one way', () => {
   const seen = new Set();
   for (const [room, allowed] of Object.entries(layers.cpp)) {
-    for (const other of allowed) assert.ok(seen.has(other), `${room} names ${other}, which does not come before it`);
+    for (const other of allowed)
+      assert.ok(seen.has(other), `${room} names ${other}, which does not come before it`);
     seen.add(room.replace('core/', ''));
   }
 });
@@ -60,18 +61,32 @@ planted(
   { 'wasm/planted.cpp': '#include "complex/simplex_table.h"\n' },
   /^wasm\/planted\.cpp: wasm may not include/,
 );
-planted('CGAL outside its room', { 'core/complex/planted.h': '#include <CGAL/Object.h>\n' }, /<CGAL\/Object\.h> is not for/);
-planted('a standard stream in the core', { 'core/session/planted.h': '#include <iostream>\n' }, /<iostream> is not for/);
+planted(
+  'CGAL outside its room',
+  { 'core/complex/planted.h': '#include <CGAL/Object.h>\n' },
+  /<CGAL\/Object\.h> is not for/,
+);
+planted(
+  'a standard stream in the core',
+  { 'core/session/planted.h': '#include <iostream>\n' },
+  /<iostream> is not for/,
+);
 planted('an unknown room', { 'core/attic/planted.h': '#pragma once\n' }, /core\/attic is not a room/);
 planted(
   'two headers that need each other',
-  { 'core/base/planted_a.h': '#include "base/planted_b.h"\n', 'core/base/planted_b.h': '#include "base/planted_a.h"\n' },
+  {
+    'core/base/planted_a.h': '#include "base/planted_b.h"\n',
+    'core/base/planted_b.h': '#include "base/planted_a.h"\n',
+  },
   /^cycle: core\/base\/planted_a\.h -> core\/base\/planted_b\.h -> core\/base\/planted_a\.h$/,
 );
 planted('a file that is too long', { 'core/base/planted.h': '\n'.repeat(401) }, /401 lines/);
 planted(
   'the worker imports the view',
-  { 'web/src/worker/planted.ts': "import { draw } from '../view/planted';\n", 'web/src/view/planted.ts': 'export {};\n' },
+  {
+    'web/src/worker/planted.ts': "import { draw } from '../view/planted';\n",
+    'web/src/view/planted.ts': 'export {};\n',
+  },
   /^web\/src\/worker\/planted\.ts: worker may not import/,
 );
 planted(
