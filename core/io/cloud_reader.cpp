@@ -1,0 +1,90 @@
+#include "io/cloud_reader.h"
+
+#include <chrono>
+#include <limits>
+#include <optional>
+
+#include "io/file_kind.h"
+#include "io/format_reader.h"
+#include "io/row_sink.h"
+#include "io/text.h"
+
+namespace plateau {
+namespace {
+
+std::string extension_of(std::string_view file_name) {
+    const std::size_t point = file_name.rfind('.');
+    if (point == std::string_view::npos) return {};
+    return lower_case(file_name.substr(point + 1));
+}
+
+std::unique_ptr<FormatReader> make_reader(std::string_view bytes, std::string_view extension, RowSink& sink) {
+    switch (detect_format(bytes, extension)) {
+        case FileFormat::Ply:
+            return make_ply_reader(bytes, sink);
+        case FileFormat::Off:
+            return make_off_reader(bytes, sink);
+        case FileFormat::Obj:
+            return make_obj_reader(bytes, sink);
+        case FileFormat::Table:
+            break;
+    }
+    return make_table_reader(bytes, extension, sink);
+}
+
+}  // namespace
+
+struct CloudReader::State {
+    std::string bytes;
+    RowSink sink;
+    std::unique_ptr<FormatReader> reader;  ///< null when done
+    std::optional<Error> error;
+
+    State(std::string all, std::string_view file_name, ReadOptions options)
+        : bytes(std::move(all)), sink(std::move(options.columns)) {
+        if ((error = sink.check_options())) return;
+        std::string_view view = bytes;
+        if (view.starts_with("\xEF\xBB\xBF")) view.remove_prefix(3);  // byte order mark
+        if (view.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+            error = Error{ErrorCode::EmptyInput, "The file is empty."};
+        } else if (const auto kind = foreign_kind(view)) {
+            error =
+                Error{ErrorCode::UnknownFormat, "This seems to be " + std::string(*kind) +
+                                                    ". Points are read from .xyz, .txt, .csv, .ply, .off and .obj."};
+        } else {
+            reader = make_reader(view, extension_of(file_name), sink);
+        }
+    }
+};
+
+CloudReader::CloudReader(std::string bytes, std::string_view file_name, ReadOptions options)
+    : state_(std::make_unique<State>(std::move(bytes), file_name, std::move(options))) {}
+CloudReader::CloudReader(CloudReader&&) noexcept = default;
+CloudReader& CloudReader::operator=(CloudReader&&) noexcept = default;
+CloudReader::~CloudReader() = default;
+
+bool CloudReader::advance(double budget_ms) {
+    constexpr std::uint32_t kRowsAtOnce = 256;
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    while (state_->reader) {
+        const auto status = state_->reader->advance(kRowsAtOnce);
+        if (!status) state_->error = status.error();
+        if (!status || status.value() == ReadStatus::Done) state_->reader.reset();
+        if (std::chrono::duration<double, std::milli>(Clock::now() - start).count() >= budget_ms) break;
+    }
+    return state_->reader == nullptr;
+}
+
+Result<ReadCloud> CloudReader::take() {
+    advance(std::numeric_limits<double>::infinity());
+    state_->bytes = {};
+    if (state_->error) return *state_->error;
+    return state_->sink.finished();
+}
+
+Result<ReadCloud> read_cloud(std::string bytes, std::string_view file_name, const ReadOptions& options) {
+    return CloudReader(std::move(bytes), file_name, options).take();
+}
+
+}  // namespace plateau

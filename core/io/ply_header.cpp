@@ -1,0 +1,155 @@
+#include "io/ply_header.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/text.h"
+
+namespace plateau {
+namespace {
+
+struct TypeName {
+    std::string_view name;
+    PlyType type;
+};
+constexpr std::array<TypeName, 16> kTypeNames = {{
+    {"char", PlyType::Int8},
+    {"int8", PlyType::Int8},
+    {"uchar", PlyType::Uint8},
+    {"uint8", PlyType::Uint8},
+    {"short", PlyType::Int16},
+    {"int16", PlyType::Int16},
+    {"ushort", PlyType::Uint16},
+    {"uint16", PlyType::Uint16},
+    {"int", PlyType::Int32},
+    {"int32", PlyType::Int32},
+    {"uint", PlyType::Uint32},
+    {"uint32", PlyType::Uint32},
+    {"float", PlyType::Float32},
+    {"float32", PlyType::Float32},
+    {"double", PlyType::Float64},
+    {"float64", PlyType::Float64},
+}};
+
+std::optional<PlyType> type_named(std::string_view name) {
+    for (const TypeName& known : kTypeNames) {
+        if (known.name == name) return known.type;
+    }
+    return std::nullopt;
+}
+
+using Fields = std::vector<std::string_view>;
+
+/// Each returns whether the line is well formed.
+bool read_format(const Fields& fields, PlyHeader& header) {
+    if (fields.size() != 3 || fields[2] != "1.0") return false;
+    if (fields[1] == "ascii")
+        header.encoding = PlyEncoding::Ascii;
+    else if (fields[1] == "binary_little_endian")
+        header.encoding = PlyEncoding::LittleEndian;
+    else if (fields[1] == "binary_big_endian")
+        header.encoding = PlyEncoding::BigEndian;
+    else
+        return false;
+    return true;
+}
+
+bool read_element(const Fields& fields, PlyHeader& header) {
+    if (fields.size() != 3) return false;
+    const auto count = parse_count(fields[2]);
+    if (!count) return false;
+    PlyElement element;
+    element.name = std::string(fields[1]);
+    element.count = *count;
+    header.elements.push_back(std::move(element));
+    return true;
+}
+
+bool read_property(const Fields& fields, PlyHeader& header) {
+    if (header.elements.empty()) return false;
+    const bool is_list = fields.size() == 5 && fields[1] == "list";
+    if (!is_list && fields.size() != 3) return false;
+    const auto type = type_named(is_list ? fields[3] : fields[1]);
+    if (!type) return false;
+    PlyProperty property;
+    property.name = std::string(fields.back());
+    property.type = *type;
+    if (is_list) {
+        property.list_count_type = type_named(fields[2]);
+        if (!property.list_count_type || *property.list_count_type >= PlyType::Float32) return false;
+    }
+    header.elements.back().properties.push_back(std::move(property));
+    return true;
+}
+
+}  // namespace
+
+std::uint32_t byte_size(PlyType type) {
+    switch (type) {
+        case PlyType::Int8:
+        case PlyType::Uint8:
+            return 1;
+        case PlyType::Int16:
+        case PlyType::Uint16:
+            return 2;
+        case PlyType::Int32:
+        case PlyType::Uint32:
+        case PlyType::Float32:
+            return 4;
+        case PlyType::Float64:
+            break;
+    }
+    return 8;
+}
+
+bool PlyElement::has_list() const {
+    return std::any_of(properties.begin(), properties.end(),
+                       [](const PlyProperty& property) { return property.list_count_type.has_value(); });
+}
+
+std::uint64_t PlyElement::row_size() const {
+    std::uint64_t size = 0;
+    for (const PlyProperty& property : properties) size += byte_size(property.type);
+    return size;
+}
+
+Result<PlyHeader> parse_ply_header(std::string_view bytes) {
+    PlyHeader header;
+    LineScanner lines(bytes);
+    Fields fields;
+    bool has_format = false;
+    std::size_t end_length = 0;  // of the line ends in this file
+    const auto malformed = [&](const std::string& what) {
+        return Error{ErrorCode::MalformedInput, "Line " + std::to_string(lines.line_number()) + " " + what};
+    };
+    while (const auto line = lines.next()) {
+        split_at_blanks(*line, fields);
+        const std::string_view keyword = fields.empty() ? std::string_view{} : fields[0];
+        if (lines.line_number() == 1) {
+            if (keyword != "ply") return malformed("should be the word ply.");
+            end_length = lines.position() - line->size();
+            continue;
+        }
+        if (keyword == "comment" || keyword == "obj_info" || keyword.empty()) continue;
+        if (keyword == "end_header") {
+            if (!has_format) return malformed("ends a PLY header that has no line \"format\".");
+            // Not lines.position(): behind a single \r the first data byte may happen to be \n.
+            const auto offset = static_cast<std::size_t>(line->data() - bytes.data()) + line->size();
+            header.size = std::min(offset + end_length, bytes.size());
+            header.lines = lines.line_number();
+            return header;
+        }
+        bool good = false;
+        if (keyword == "format") {
+            good = has_format = read_format(fields, header);
+        } else if (keyword == "element") {
+            good = read_element(fields, header);
+        } else if (keyword == "property") {
+            good = read_property(fields, header);
+        }
+        if (!good) return malformed("of the PLY header is not understood: " + quoted(*line) + ".");
+    }
+    return malformed("is the last, but the PLY header has no end_header.");
+}
+
+}  // namespace plateau

@@ -1,0 +1,172 @@
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/format_reader.h"
+#include "io/text.h"
+
+namespace plateau {
+namespace {
+
+constexpr std::size_t kMaxColumns = 4096;
+
+/// Length of the mark that makes the line a comment, 0 if it is none.
+std::size_t comment_mark(std::string_view line) {
+    if (line.starts_with("//")) return 2;
+    return line.starts_with("#") || line.starts_with(";") ? 1 : 0;
+}
+
+class TableReader : public FormatReader {
+public:
+    TableReader(std::string_view bytes, std::string_view extension, RowSink& sink)
+        : lines_(bytes), is_xyz_(extension == "xyz"), sink_(sink) {}
+
+    Result<ReadStatus> advance(std::uint32_t rows) override {
+        for (std::uint32_t k = 0; k < rows; ++k) {
+            const auto line = lines_.next();
+            if (!line) return ReadStatus::Done;
+            if (auto error = read_line(trimmed(*line))) return std::move(*error);
+        }
+        return ReadStatus::More;
+    }
+
+private:
+    std::optional<Error> read_line(std::string_view line) {
+        if (line.empty()) return std::nullopt;
+        if (const std::size_t mark = comment_mark(line)) {
+            // Some programs write the names of the columns as a comment ("//X Y Z R G B").
+            if (width_ == 0 && !has_header_ && !split(line.substr(mark))) take_names();
+            return std::nullopt;
+        }
+        if (auto error = split(line)) return error;
+        if (width_ == 0) {
+            if (!has_header_ && is_header()) {
+                has_header_ = true;
+                take_names();
+                return std::nullopt;
+            }
+            width_ = static_cast<std::uint32_t>(fields_.size());
+            first_row_line_ = lines_.line_number();
+            if (auto error = choose_columns()) return error;
+        }
+        if (fields_.size() != width_) {
+            return Error{ErrorCode::RaggedRows, "Line " + std::to_string(lines_.line_number()) + " has " +
+                                                    std::to_string(fields_.size()) + " columns, but line " +
+                                                    std::to_string(first_row_line_) + " has " + std::to_string(width_) +
+                                                    "."};
+        }
+        return sink_.add_fields(fields_, lines_.line_number());
+    }
+
+    /// Fields between blanks, or between commas or semicolons with any blanks around; one separator at the end of the
+    /// line counts for nothing.
+    std::optional<Error> split(std::string_view line) {
+        const bool commas = line.find(',') != std::string_view::npos;
+        const bool semicolons = line.find(';') != std::string_view::npos;
+        if (commas && semicolons) {
+            return Error{ErrorCode::MalformedInput,
+                         "Line " + std::to_string(lines_.line_number()) +
+                             " has commas and semicolons: write decimals with a point and use one separator."};
+        }
+        if (!commas && !semicolons) {
+            split_at_blanks(line, fields_);
+        } else {
+            fields_.clear();
+            const char separator = commas ? ',' : ';';
+            while (!line.empty()) {
+                const std::size_t end = line.find(separator);
+                fields_.push_back(trimmed(line.substr(0, end)));
+                if (end == std::string_view::npos) break;
+                line.remove_prefix(end + 1);
+            }
+        }
+        if (fields_.size() > kMaxColumns) {
+            return Error{ErrorCode::MalformedInput, "Line " + std::to_string(lines_.line_number()) +
+                                                        " has more than 4096 columns: this is no table of points."};
+        }
+        return std::nullopt;
+    }
+
+    /// The first line is one of names if none of the fields that count is a number.
+    bool is_header() const {
+        for (const std::string_view field : fields_) {
+            if (parse_field(field).kind != FieldKind::NotNumber) return false;
+        }
+        return true;
+    }
+
+    /// Keeps the fields as the names of the columns if two of them are x and y.
+    void take_names() {
+        std::vector<std::string> names;
+        bool has_x = false;
+        bool has_y = false;
+        for (std::string_view field : fields_) {
+            if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+                field = field.substr(1, field.size() - 2);
+            }
+            names.push_back(lower_case(trimmed(field)));
+            has_x = has_x || names.back() == "x";
+            has_y = has_y || names.back() == "y";
+        }
+        if (has_x && has_y) names_ = std::move(names);
+    }
+
+    std::optional<std::uint32_t> column_named(std::string_view name) const {
+        for (std::size_t k = 0; k < names_.size(); ++k) {
+            if (names_[k] == name) return static_cast<std::uint32_t>(k);
+        }
+        return std::nullopt;
+    }
+
+    std::optional<Error> choose_columns() {
+        if (sink_.columns_asked()) return sink_.choose(width_, {});
+        std::vector<std::uint32_t> columns;
+        if (names_.size() == width_) {
+            const auto x = column_named("x");
+            const auto y = column_named("y");
+            const auto z = column_named("z");
+            if (x && y) columns = {*x, *y};
+            if (x && y && z) columns.push_back(*z);
+        }
+        const bool by_name = !columns.empty();
+        if (columns.empty() && width_ == 1) {
+            return Error{ErrorCode::UnsupportedDimension, "Line " + std::to_string(lines_.line_number()) +
+                                                              " has one column; points need two or three coordinates."};
+        }
+        if (columns.empty() && width_ > 3 && !is_xyz_) {
+            return Error{ErrorCode::UnsupportedDimension,
+                         std::to_string(width_) + " columns: choose the coordinates with --columns 1,2,3"};
+        }
+        if (columns.empty()) {
+            columns = {0, 1};
+            if (width_ > 2) columns.push_back(2);
+        }
+        if (columns.size() < width_) {
+            std::string sentence = "Took columns ";
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+                sentence += (k > 0 ? "," : "") + std::to_string(columns[k] + 1);
+            }
+            sentence += " of " + std::to_string(width_) + " as coordinates";
+            sink_.warn(sentence + (by_name ? ", by their names." : "."));
+        }
+        return sink_.choose(width_, columns);
+    }
+
+    LineScanner lines_;
+    bool is_xyz_;
+    RowSink& sink_;
+    std::vector<std::string_view> fields_;
+    std::vector<std::string> names_;  ///< lower case, of a header or a comment with x and y; empty if there is none
+    bool has_header_ = false;
+    std::uint32_t width_ = 0;  ///< columns; 0 before the first row
+    std::uint64_t first_row_line_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FormatReader> make_table_reader(std::string_view bytes, std::string_view extension, RowSink& sink) {
+    return std::make_unique<TableReader>(bytes, extension, sink);
+}
+
+}  // namespace plateau
