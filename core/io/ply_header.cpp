@@ -118,7 +118,8 @@ Result<PlyHeader> parse_ply_header(std::string_view bytes) {
     LineScanner lines(bytes);
     Fields fields;
     bool has_format = false;
-    std::size_t end_length = 0;  // of the line ends in this file
+    bool ends_in_cr = false;
+    const auto offset_of = [&](std::string_view line) { return static_cast<std::size_t>(line.data() - bytes.data()); };
     const auto malformed = [&](const std::string& what) {
         return Error{ErrorCode::MalformedInput, "Line " + std::to_string(lines.line_number()) + " " + what};
     };
@@ -127,15 +128,15 @@ Result<PlyHeader> parse_ply_header(std::string_view bytes) {
         const std::string_view keyword = fields.empty() ? std::string_view{} : fields[0];
         if (lines.line_number() == 1) {
             if (keyword != "ply") return malformed("should be the word ply.");
-            end_length = lines.position() - line->size();
+            ends_in_cr = lines.position() == line->size() + 1 && bytes[line->size()] == '\r';
             continue;
         }
         if (keyword == "comment" || keyword == "obj_info" || keyword.empty()) continue;
         if (keyword == "end_header") {
             if (!has_format) return malformed("ends a PLY header that has no line \"format\".");
-            // Not lines.position(): behind a single \r the first data byte may happen to be \n.
-            const auto offset = static_cast<std::size_t>(line->data() - bytes.data()) + line->size();
-            header.size = std::min(offset + end_length, bytes.size());
+            header.size = lines.position();
+            // In a file whose lines end in \r alone the first data byte may happen to be \n.
+            if (ends_in_cr && lines.position() - offset_of(*line) == line->size() + 2) --header.size;
             header.lines = lines.line_number();
             return header;
         }

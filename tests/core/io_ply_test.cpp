@@ -140,9 +140,9 @@ TEST(PlyReader, Errors) {
     expect(start + "element vertex 1\nproperty float a\nend_header\n1\n", ErrorCode::MalformedInput, "x and y");
     expect(start + "element vertex 0\n" + xyz + "end_header\n", ErrorCode::EmptyInput, "no points");
     expect(start + "element vertex 3\n" + xyz + "end_header\n1 2 3\n4 5 6\n", ErrorCode::MalformedInput, "after 2");
-    expect(start + "element vertex 2\n" + xyz + "end_header\n1 2 3\n4 5\n", ErrorCode::RaggedRows, "Line 8");
-    expect(start + "element vertex 2\n" + xyz + "end_header\n1 2 3\n4 5 6 7\n", ErrorCode::RaggedRows, "Line 8");
-    expect(start + "element vertex 2\n" + xyz + "end_header\n1 2 3\n4 nan 6\n", ErrorCode::NotANumber, "Line 8");
+    expect(start + "element vertex 2\n" + xyz + "end_header\n1 2 3\n4 5\n", ErrorCode::RaggedRows, "Line 9");
+    expect(start + "element vertex 2\n" + xyz + "end_header\n1 2 3\n4 5 6 7\n", ErrorCode::RaggedRows, "Line 9");
+    expect(start + "element vertex 2\n" + xyz + "end_header\n1 2 3\n4 nan 6\n", ErrorCode::NotANumber, "Line 9");
     const std::string binary = "ply\nformat binary_little_endian 1.0\n";
     expect(binary + "element vertex 18446744073709551615\n" + xyz + "end_header\n" + std::string(30, 'x'),
            ErrorCode::MalformedInput, "after 2");
