@@ -1,5 +1,5 @@
 import type { Delta, Family, Opened, RunState, ShownFamily } from '../worker/protocol.ts';
-import { ChunkedColumn, LifespanStore } from './chunks.ts';
+import { ChunkedColumn, LifespanStore, NEVER } from './chunks.ts';
 
 const SHOWN_FAMILIES: readonly ShownFamily[] = ['witness', 'delaunay', 'surface'];
 
@@ -27,6 +27,8 @@ export class RunRecord {
   readonly coordinates: Float64Array;
   readonly family: Family;
   readonly stepsPlanned: number;
+  /** The landmarks as elements that never die. */
+  readonly points = new LifespanStore(1, 0);
   readonly edges: LifespanStore;
   readonly triangles: LifespanStore;
   readonly rows = new LifespanStore(3, 1);
@@ -54,6 +56,13 @@ export class RunRecord {
       throw new Error(`steps from ${delta.firstStep} do not follow step ${this.stepCount}`);
     }
     this.landmarks.append(delta.landmark);
+    delta.landmark.forEach((landmark, i) =>
+      this.points.append(
+        () => landmark,
+        delta.firstStep + i,
+        () => NEVER,
+      ),
+    );
     this.epsilons.append(delta.epsilon);
     this.families.append(delta.shownFamily);
     this.bettis.append(delta.betti);

@@ -1,0 +1,56 @@
+import type { ShownFamily } from '../worker/protocol.ts';
+import { counted, readable } from './numbers.ts';
+
+/** "1 component, 2 loops, 1 void"; what is zero goes unsaid. */
+export function bettiInWords(betti: readonly number[]): string {
+  const [components = 0, loops = 0, voids = 0] = betti;
+  const parts = [counted(components, 'component')];
+  if (loops > 0) parts.push(counted(loops, 'loop'));
+  if (voids > 0) parts.push(counted(voids, 'void'));
+  return parts.join(', ');
+}
+
+/** "β 1, 2, 1". */
+export function bettiInNumbers(betti: readonly number[]): string {
+  return `β ${betti.join(', ')}`;
+}
+
+function closedSurface(components: number, loops: number): string {
+  if (components > 1) {
+    const handles = loops / 2;
+    if (handles === 0) return `${components} sphere-like closed surfaces`;
+    return `${components} closed surfaces, ${counted(handles, 'handle')} in all`;
+  }
+  if (loops === 0) return 'sphere-like closed surface';
+  if (loops === 2) return 'torus-like closed surface';
+  if (loops === 4) return 'double-torus-like closed surface';
+  return `closed surface with ${loops / 2} handles`;
+}
+
+function complexIn(betti: readonly number[]): string {
+  const [components = 0, loops = 0, voids = 0] = betti;
+  if (voids > 0) {
+    if (components === 1 && voids === 1 && loops === 0) return 'sphere-like hollow shape';
+    if (components === 1 && voids === 1 && loops === 2) return 'torus-like hollow shape';
+    return `hollow shape with ${counted(voids, 'void')}`;
+  }
+  if (components === 1) {
+    if (loops === 0) return 'one piece without holes';
+    return loops === 1 ? 'closed curve' : `one piece with ${loops} loops`;
+  }
+  if (loops === 0) return `${counted(components, 'separate piece')}`;
+  return loops === components
+    ? `${components} closed curves`
+    : `${components} pieces with ${counted(loops, 'loop')}`;
+}
+
+/** What a shape with these Betti numbers looks like, in a few plain words; "-like" because Betti numbers say no more. */
+export function shapeInWords(family: ShownFamily, betti: readonly number[]): string {
+  const [components = 0, loops = 0] = betti;
+  return family === 'surface' ? closedSurface(components, loops) : complexIn(betti);
+}
+
+/** "ε 0.43 → 0.16". */
+export function scaleInWords(epsilonFirst: number, epsilonLast: number): string {
+  return `ε ${readable(epsilonFirst)} → ${readable(epsilonLast)}`;
+}

@@ -1,0 +1,186 @@
+import { readable } from '../model/numbers.ts';
+import type { PlateauCard } from '../model/plateau-cards.ts';
+import type { RunRecord } from '../model/record.ts';
+import { axisOf, scaleOf, type ScaleAxis } from '../model/scale-axis.ts';
+import type { ShownFamily } from '../worker/protocol.ts';
+
+/** The Betti diagram as places on paper: the canvas on the page and the SVG file draw the same. */
+export interface DiagramLayout {
+  readonly width: number;
+  readonly height: number;
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+  readonly axis: ScaleAxis;
+  readonly bands: readonly Band[];
+  readonly columns: readonly Tick[];
+  readonly lines: readonly Tick[];
+  /** β0, β1, …: corners of stepped lines, x and y in turn. */
+  readonly series: readonly number[][];
+  /** What is not computed yet: from here to `right`. */
+  readonly computedTo: number;
+}
+
+export interface Band {
+  readonly from: number;
+  readonly to: number;
+  readonly family: ShownFamily;
+  /** "1, 2, 1". */
+  readonly label: string;
+}
+
+export interface Tick {
+  readonly at: number;
+  readonly label: string;
+}
+
+export interface DiagramSize {
+  readonly width: number;
+  readonly height: number;
+  /** Columns a unit in which many steps are drawn as one upright stroke. */
+  readonly resolution: number;
+}
+
+const MARGIN = { left: 40, right: 14, top: 12, bottom: 36 };
+/** Equal Betti numbers are drawn side by side, this far apart. */
+const SIDE_BY_SIDE = 3;
+
+export function scaleToX(layout: DiagramLayout, scale: number): number {
+  const { low, high } = layout.axis;
+  return layout.left + ((scale - low) / (high - low)) * (layout.right - layout.left);
+}
+
+export function xToScale(layout: DiagramLayout, x: number): number {
+  const { low, high } = layout.axis;
+  return low + ((x - layout.left) / (layout.right - layout.left)) * (high - low);
+}
+
+/** Betti numbers of plateaus are small, those in between can be hundreds: ln(1 + β) shows both. */
+function height(betti: number): number {
+  return Math.log1p(betti);
+}
+
+const NUMBERS = [0, 1, 2, 3, 5, 10, 20, 50];
+
+function bettiTicks(most: number): number[] {
+  const ticks = NUMBERS.filter((value) => value <= most);
+  for (let decade = 100; decade <= most; decade *= 10) {
+    ticks.push(...[1, 2, 5].map((factor) => factor * decade).filter((value) => value <= most));
+  }
+  return ticks;
+}
+
+/** 1, 2, 5 in each decade of 1/ε; only the decades where the axis is long. */
+function scaleTicks(axis: ScaleAxis, width: number): number[] {
+  const perDecade = (width / (axis.high - axis.low)) * Math.LN10;
+  const factors = perDecade > 150 ? [1, 2, 5] : perDecade > 80 ? [1, 3] : [1];
+  const every = Math.max(1, Math.ceil(60 / perDecade));
+  const ticks: number[] = [];
+  for (let decade = Math.floor(axis.low / Math.LN10); decade <= axis.high / Math.LN10; ++decade) {
+    if (decade % every !== 0) continue;
+    for (const factor of factors) {
+      const value = factor * 10 ** decade;
+      const scale = Math.log(value);
+      if (scale >= axis.low - 1e-9 && scale <= axis.high) ticks.push(value);
+    }
+  }
+  return ticks;
+}
+
+/** Collects the corners of one stepped line; within a column only its extremes. */
+class SteppedLine {
+  readonly corners: number[] = [];
+  private column = NaN;
+  private least = 0;
+  private most = 0;
+  private last = NaN;
+
+  constructor(private readonly resolution: number) {}
+
+  add(x: number, y: number): void {
+    const column = Math.round(x * this.resolution) / this.resolution;
+    if (column !== this.column) {
+      this.flush();
+      this.column = column;
+      if (!Number.isNaN(this.last)) this.corners.push(column, this.last);
+      this.least = this.most = y;
+    }
+    this.least = Math.min(this.least, y);
+    this.most = Math.max(this.most, y);
+    this.last = y;
+  }
+
+  finish(x: number): number[] {
+    this.flush();
+    if (!Number.isNaN(this.last)) this.corners.push(x, this.last);
+    return this.corners;
+  }
+
+  private flush(): void {
+    if (Number.isNaN(this.column)) return;
+    if (this.least !== this.most) this.corners.push(this.column, this.least, this.column, this.most);
+    this.corners.push(this.column, this.last);
+  }
+}
+
+export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: DiagramSize): DiagramLayout {
+  const { width, resolution } = size;
+  const axis = axisOf(record);
+  const frame = {
+    left: MARGIN.left,
+    right: width - MARGIN.right,
+    top: MARGIN.top,
+    bottom: size.height - MARGIN.bottom,
+  };
+  let most = 3;
+  for (let step = 1; step <= record.stepCount; ++step) {
+    for (let k = 0; k < record.dimension; ++k) most = Math.max(most, record.betti(step, k));
+  }
+  const room = frame.bottom - frame.top - 2 * SIDE_BY_SIDE;
+  const y = (betti: number): number => frame.bottom - SIDE_BY_SIDE - (height(betti) / height(most)) * room;
+  const x = (scale: number): number =>
+    frame.left + ((scale - axis.low) / (axis.high - axis.low)) * (frame.right - frame.left);
+  const end = x(axis.computed);
+  const startOf = (step: number): number => (step > record.stepCount ? end : x(scaleOf(record, step)));
+
+  const series = Array.from({ length: record.dimension }, (_, k) => {
+    const aside = (k - (record.dimension - 1) / 2) * -SIDE_BY_SIDE;
+    const line = new SteppedLine(resolution);
+    for (let step = 1; step <= record.stepCount; ++step)
+      line.add(startOf(step), y(record.betti(step, k)) + aside);
+    return line.finish(end);
+  });
+  const bands = cards
+    .filter((card) => card.firstStep <= record.stepCount)
+    .map((card) => ({
+      from: startOf(card.firstStep),
+      to: startOf(card.lastStep + 1),
+      family: card.family,
+      label: card.betti.join(', '),
+    }));
+  return {
+    width,
+    height: size.height,
+    ...frame,
+    axis,
+    bands,
+    columns: scaleTicks(axis, frame.right - frame.left).map((value) => ({
+      at: x(Math.log(value)),
+      label: readable(value).replace(/\.0+$/, ''),
+    })),
+    lines: thinned(bettiTicks(most).map((value) => ({ at: y(value), label: String(value) }))),
+    series,
+    computedTo: end,
+  };
+}
+
+/** Labels that do not overlap: those further up give way. */
+function thinned(ticks: readonly Tick[]): Tick[] {
+  const kept: Tick[] = [];
+  for (const tick of ticks) {
+    const below = kept.at(-1);
+    if (!below || below.at - tick.at >= 13) kept.push(tick);
+  }
+  return kept;
+}

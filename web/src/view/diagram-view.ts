@@ -1,0 +1,195 @@
+import type { PlateauCard } from '../model/plateau-cards.ts';
+import type { RunRecord } from '../model/record.ts';
+import { scaleOf, stepAt } from '../model/scale-axis.ts';
+import { layOut, scaleToX, xToScale, type DiagramLayout } from './diagram-layout.ts';
+
+/** Reads the value of a CSS variable. */
+type Style = (name: string) => string;
+
+function paintBands(context: CanvasRenderingContext2D, layout: DiagramLayout, style: Style): void {
+  const { top, bottom } = layout;
+  context.textAlign = 'center';
+  for (const band of layout.bands) {
+    context.fillStyle = style(`--band-${band.family}`);
+    context.fillRect(band.from, top, Math.max(1, band.to - band.from), bottom - top);
+    if (band.to - band.from < context.measureText(band.label).width + 8) continue;
+    context.fillStyle = style('--ink');
+    context.fillText(band.label, (band.from + band.to) / 2, top + 9);
+  }
+}
+
+/** Upright hatching is for what is not computed yet. */
+function paintOpenRange(context: CanvasRenderingContext2D, layout: DiagramLayout, style: Style): void {
+  const { top, bottom, right, computedTo } = layout;
+  if (computedTo >= right - 0.5) return;
+  context.save();
+  context.beginPath();
+  context.rect(computedTo, top, right - computedTo, bottom - top);
+  context.clip();
+  context.strokeStyle = style('--hatch');
+  context.lineWidth = 1;
+  context.beginPath();
+  const rise = bottom - top;
+  for (let x = computedTo - rise; x < right; x += 8) {
+    context.moveTo(x, bottom);
+    context.lineTo(x + rise, top);
+  }
+  context.stroke();
+  context.restore();
+}
+
+function paintAxes(context: CanvasRenderingContext2D, layout: DiagramLayout, style: Style): void {
+  const { left, right, bottom } = layout;
+  context.strokeStyle = style('--grid');
+  context.fillStyle = style('--muted');
+  context.lineWidth = 1;
+  context.textAlign = 'right';
+  for (const { at, label } of layout.lines) {
+    const y = Math.round(at) + 0.5;
+    context.beginPath();
+    context.moveTo(left, y);
+    context.lineTo(right, y);
+    context.stroke();
+    context.fillText(label, left - 7, at);
+  }
+  context.textAlign = 'center';
+  context.strokeStyle = style('--muted');
+  context.beginPath();
+  context.moveTo(left, bottom + 0.5);
+  context.lineTo(right, bottom + 0.5);
+  for (const { at, label } of layout.columns) {
+    context.moveTo(Math.round(at) + 0.5, bottom);
+    context.lineTo(Math.round(at) + 0.5, bottom + 4);
+    context.fillText(label, at, bottom + 13);
+  }
+  context.stroke();
+  context.fillText('1/ε', (left + right) / 2, bottom + 27);
+}
+
+function paintSeries(context: CanvasRenderingContext2D, layout: DiagramLayout, style: Style): void {
+  context.lineWidth = 2;
+  context.lineJoin = 'round';
+  layout.series.forEach((corners, k) => {
+    context.strokeStyle = style(`--betti-${k}`);
+    context.beginPath();
+    for (let i = 0; i + 1 < corners.length; i += 2) context.lineTo(corners[i] ?? 0, corners[i + 1] ?? 0);
+    context.stroke();
+  });
+}
+
+/**
+ * The Betti numbers over 1/ε with plateau bands and a playhead. Dragging asks for a step; the playhead is an element
+ * of its own, so moving it paints nothing.
+ */
+export class DiagramView {
+  private readonly canvas = document.createElement('canvas');
+  private readonly playhead = document.createElement('div');
+  private readonly resizing: ResizeObserver;
+  private record: RunRecord | undefined;
+  private cards: readonly PlateauCard[] = [];
+  private layout: DiagramLayout | undefined;
+  private step = 0;
+  private paintRequest = 0;
+
+  constructor(
+    private readonly container: HTMLElement,
+    private readonly onScrub: (step: number) => void,
+  ) {
+    this.playhead.className = 'playhead';
+    this.playhead.hidden = true;
+    this.canvas.setAttribute('aria-hidden', 'true');
+    container.append(this.canvas, this.playhead);
+    container.addEventListener('pointerdown', this.startDrag);
+    this.resizing = new ResizeObserver(() => this.requestPaint());
+    this.resizing.observe(container);
+  }
+
+  setRecord(record: RunRecord): void {
+    this.record = record;
+    this.cards = [];
+    this.step = 0;
+    this.requestPaint();
+  }
+
+  setCards(cards: readonly PlateauCard[]): void {
+    this.cards = cards;
+    this.requestPaint();
+  }
+
+  /** Moves the playhead. */
+  showStep(step: number): void {
+    this.step = step;
+    this.placePlayhead();
+  }
+
+  requestPaint(): void {
+    this.paintRequest ||= requestAnimationFrame(() => {
+      this.paintRequest = 0;
+      this.paint();
+    });
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.paintRequest);
+    this.resizing.disconnect();
+    this.container.removeEventListener('pointerdown', this.startDrag);
+    this.canvas.remove();
+    this.playhead.remove();
+  }
+
+  private paint(): void {
+    const { clientWidth: width, clientHeight: height } = this.container;
+    const context = this.canvas.getContext('2d');
+    if (!this.record || !context || width === 0 || height === 0) return;
+    const ratio = Math.min(window.devicePixelRatio, 3);
+    const [pixelsX, pixelsY] = [Math.round(width * ratio), Math.round(height * ratio)];
+    if (this.canvas.width !== pixelsX || this.canvas.height !== pixelsY) {
+      this.canvas.width = pixelsX;
+      this.canvas.height = pixelsY;
+    }
+    const css = getComputedStyle(this.container);
+    const style: Style = (name) => css.getPropertyValue(name).trim();
+    const layout = layOut(this.record, this.cards, { width, height, resolution: ratio });
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    context.font = `12px ${css.fontFamily}`;
+    context.textBaseline = 'middle';
+    paintBands(context, layout, style);
+    paintOpenRange(context, layout, style);
+    paintAxes(context, layout, style);
+    paintSeries(context, layout, style);
+    this.layout = layout;
+    this.placePlayhead();
+  }
+
+  private placePlayhead(): void {
+    if (!this.record || !this.layout || this.step < 1 || this.step > this.record.stepCount) {
+      this.playhead.hidden = true;
+      return;
+    }
+    const x = scaleToX(this.layout, scaleOf(this.record, this.step));
+    this.playhead.hidden = false;
+    this.playhead.style.transform = `translateX(${x}px)`;
+  }
+
+  private readonly startDrag = (down: PointerEvent): void => {
+    if (down.button !== 0) return;
+    this.container.setPointerCapture(down.pointerId);
+    const move = (event: PointerEvent): void => this.scrubTo(event.clientX);
+    const end = (): void => {
+      this.container.removeEventListener('pointermove', move);
+      this.container.removeEventListener('pointerup', end);
+      this.container.removeEventListener('pointercancel', end);
+    };
+    this.container.addEventListener('pointermove', move);
+    this.container.addEventListener('pointerup', end);
+    this.container.addEventListener('pointercancel', end);
+    this.scrubTo(down.clientX);
+  };
+
+  private scrubTo(clientX: number): void {
+    if (!this.record || !this.layout || this.record.stepCount === 0) return;
+    const x = clientX - this.container.getBoundingClientRect().left;
+    this.onScrub(stepAt(this.record, xToScale(this.layout, x)));
+  }
+}

@@ -1,0 +1,133 @@
+import { Color, DoubleSide, GLSL3, RawShaderMaterial, Vector2, type IUniform, type Texture } from 'three';
+import {
+  EDGE_FRAGMENT,
+  EDGE_VERTEX,
+  LANDMARK_FRAGMENT,
+  LANDMARK_VERTEX,
+  TRIANGLE_FRAGMENT,
+  TRIANGLE_VERTEX,
+  WITNESS_FRAGMENT,
+  WITNESS_VERTEX,
+} from './shaders.ts';
+import { sceneTheme } from './theme.ts';
+
+const EDGE_WIDTH = 1.5;
+const WITNESS_SIZE = 2.2;
+const LANDMARK_SIZES: readonly [number, number] = [3.2, 11];
+
+/** Uniforms that all materials read from one place. */
+export interface SharedUniforms {
+  readonly uPositions: IUniform<Texture | null>;
+  readonly uStep: IUniform<number>;
+  readonly uTrack: IUniform<number>;
+  readonly uViewport: IUniform<Vector2>;
+  readonly uDistance: IUniform<number>;
+  readonly uBackground: IUniform<Color>;
+}
+
+export interface SceneMaterials {
+  readonly shared: SharedUniforms;
+  readonly edge: RawShaderMaterial;
+  readonly face: RawShaderMaterial;
+  readonly surface: RawShaderMaterial;
+  readonly witness: RawShaderMaterial;
+  readonly landmark: RawShaderMaterial;
+  /** Diameter of a landmark in units of the scene. */
+  readonly landmarkDiameter: IUniform<number>;
+  applyTheme(): void;
+  setPixelRatio(ratio: number): void;
+  dispose(): void;
+}
+
+export function createMaterials(): SceneMaterials {
+  const shared: SharedUniforms = {
+    uPositions: { value: null },
+    uStep: { value: 0 },
+    uTrack: { value: 0 },
+    uViewport: { value: new Vector2(1, 1) },
+    uDistance: { value: 1 },
+    uBackground: { value: new Color() },
+  };
+  const edgeColor = { value: new Color() };
+  const edgeWidth = { value: EDGE_WIDTH };
+  const line = { value: new Color() };
+  const surfaceFront = { value: new Color() };
+  const surfaceBack = { value: new Color() };
+  const face = { value: new Color() };
+  const witnessColor = { value: new Color() };
+  const witnessAlpha = { value: 0.4 };
+  const witnessSize = { value: WITNESS_SIZE };
+  const landmarkColor = { value: new Color() };
+  const accent = { value: new Color() };
+  const landmarkDiameter = { value: 0 };
+  const landmarkSizes = { value: new Vector2() };
+
+  const material = (
+    vertexShader: string,
+    fragmentShader: string,
+    own: Record<string, IUniform>,
+  ): RawShaderMaterial =>
+    new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: { ...shared, ...own },
+      side: DoubleSide,
+    });
+  const edge = material(EDGE_VERTEX, EDGE_FRAGMENT, { uColor: edgeColor, uWidth: edgeWidth });
+  edge.transparent = true;
+  const surface = material(TRIANGLE_VERTEX, TRIANGLE_FRAGMENT, {
+    uFront: surfaceFront,
+    uBack: surfaceBack,
+    uLine: line,
+  });
+  // Triangles of the complex have no outer side: both look alike.
+  const faces = material(TRIANGLE_VERTEX, TRIANGLE_FRAGMENT, { uFront: face, uBack: face, uLine: edgeColor });
+  const witness = material(WITNESS_VERTEX, WITNESS_FRAGMENT, {
+    uColor: witnessColor,
+    uAlpha: witnessAlpha,
+    uSize: witnessSize,
+  });
+  witness.transparent = true;
+  witness.depthWrite = false;
+  const landmark = material(LANDMARK_VERTEX, LANDMARK_FRAGMENT, {
+    uColor: landmarkColor,
+    uAccent: accent,
+    uDiameter: landmarkDiameter,
+    uSizeRange: landmarkSizes,
+  });
+  const all = [edge, surface, faces, witness, landmark];
+
+  const materials: SceneMaterials = {
+    shared,
+    edge,
+    face: faces,
+    surface,
+    witness,
+    landmark,
+    landmarkDiameter,
+    applyTheme() {
+      const theme = sceneTheme();
+      shared.uBackground.value.copy(theme.background);
+      edgeColor.value.copy(theme.edge);
+      line.value.copy(theme.surfaceLine);
+      surfaceFront.value.copy(theme.surface);
+      surfaceBack.value.copy(theme.surfaceBack);
+      face.value.copy(theme.face);
+      witnessColor.value.copy(theme.witness);
+      witnessAlpha.value = theme.witnessAlpha;
+      landmarkColor.value.copy(theme.landmark);
+      accent.value.copy(theme.accent);
+    },
+    setPixelRatio(ratio) {
+      edgeWidth.value = EDGE_WIDTH * ratio;
+      witnessSize.value = WITNESS_SIZE * ratio;
+      landmarkSizes.value.set(LANDMARK_SIZES[0] * ratio, LANDMARK_SIZES[1] * ratio);
+    },
+    dispose() {
+      for (const each of all) each.dispose();
+    },
+  };
+  materials.applyTheme();
+  return materials;
+}

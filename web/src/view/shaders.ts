@@ -1,0 +1,203 @@
+/**
+ * The shape is drawn from 32-bit words: input indices of landmarks, birth, deaths. Positions lie in one texture that
+ * is uploaded once a cloud; the step is a uniform. So neither a step nor a growing run uploads what is there.
+ */
+
+const COMMON = /* glsl */ `
+precision highp float;
+precision highp int;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+uniform highp sampler2D uPositions;
+uniform uint uStep;
+uniform uint uTrack;
+uniform vec2 uViewport;
+
+vec3 positionOf(uint index) {
+  return texelFetch(uPositions, ivec2(int(index & 2047u), int(index >> 11)), 0).xyz;
+}
+vec3 viewOf(uint index) {
+  return (modelViewMatrix * vec4(positionOf(index), 1.0)).xyz;
+}
+bool lives(uint birth, uvec2 death) {
+  return birth <= uStep && uStep < (uTrack == 0u ? death.x : death.y);
+}
+const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
+`;
+
+/** Depth as haze: what is far behind the middle of the unit sphere goes towards the background. */
+const HAZE = /* glsl */ `
+uniform float uDistance;
+float hazeAt(float depth) {
+  return smoothstep(-0.8, 1.2, depth - uDistance);
+}
+`;
+
+const FRAGMENT = /* glsl */ `
+precision highp float;
+precision highp int;
+out vec4 outColor;
+// Colors are mixed as on screen, not linearly: nothing after this shader converts them.
+`;
+
+/** An edge is a screen-aligned strip: lines of a chosen width do not exist in WebGL. */
+export const EDGE_VERTEX = /* glsl */ `${COMMON}${HAZE}
+in vec2 corner;  // which end (0, 1), which side (-1, 1)
+in uvec3 simplex;  // two vertices, birth
+in uvec2 death;
+uniform float uWidth;
+out float vHaze;
+out float vSide;
+const float NEAR = 0.02;
+
+void main() {
+  if (!lives(simplex.z, death)) {
+    gl_Position = NOWHERE;
+    return;
+  }
+  vec3 a = viewOf(simplex.x);
+  vec3 b = viewOf(simplex.y);
+  if (a.z > -NEAR && b.z > -NEAR) {
+    gl_Position = NOWHERE;
+    return;
+  }
+  if (a.z > -NEAR) a = mix(b, a, (-NEAR - b.z) / (a.z - b.z));
+  if (b.z > -NEAR) b = mix(a, b, (-NEAR - a.z) / (b.z - a.z));
+  vec4 clipA = projectionMatrix * vec4(a, 1.0);
+  vec4 clipB = projectionMatrix * vec4(b, 1.0);
+  vec2 along = (clipB.xy / clipB.w - clipA.xy / clipA.w) * uViewport;
+  float size = length(along);
+  vec2 across = size > 0.0 ? vec2(-along.y, along.x) / size : vec2(1.0, 0.0);
+  vec4 end = corner.x < 0.5 ? clipA : clipB;
+  // One pixel more than the width is left for smooth sides.
+  end.xy += across * corner.y * (uWidth + 1.0) / uViewport * end.w;
+  end.z -= 0.0004 * end.w;
+  gl_Position = end;
+  vHaze = hazeAt(-(corner.x < 0.5 ? a : b).z);
+  vSide = corner.y * (uWidth + 1.0) * 0.5;
+}
+`;
+
+export const EDGE_FRAGMENT = /* glsl */ `${FRAGMENT}
+uniform vec3 uColor;
+uniform vec3 uBackground;
+uniform float uWidth;
+in float vHaze;
+in float vSide;
+
+void main() {
+  float alpha = clamp(uWidth * 0.5 + 0.5 - abs(vSide), 0.0, 1.0);
+  if (alpha < 0.05) discard;
+  outColor = vec4(mix(uColor, uBackground, vHaze * 0.75), alpha);
+}
+`;
+
+/** One instance a triangle; its normal and its edges come from the three positions, not from shared vertices. */
+export const TRIANGLE_VERTEX = /* glsl */ `${COMMON}${HAZE}
+in float corner;
+in uvec4 simplex;  // three vertices, birth
+in uvec2 death;
+out vec3 vNormal;
+out vec3 vBarycentric;
+out float vHaze;
+
+void main() {
+  if (!lives(simplex.w, death)) {
+    gl_Position = NOWHERE;
+    return;
+  }
+  vec3 a = viewOf(simplex.x);
+  vec3 b = viewOf(simplex.y);
+  vec3 c = viewOf(simplex.z);
+  vec3 n = cross(b - a, c - a);
+  float size = length(n);
+  vNormal = size > 0.0 ? n / size : vec3(0.0, 0.0, 1.0);
+  vec3 here = corner < 0.5 ? a : corner < 1.5 ? b : c;
+  vBarycentric = corner < 0.5 ? vec3(1, 0, 0) : corner < 1.5 ? vec3(0, 1, 0) : vec3(0, 0, 1);
+  gl_Position = projectionMatrix * vec4(here, 1.0);
+  vHaze = hazeAt(-here.z);
+}
+`;
+
+export const TRIANGLE_FRAGMENT = /* glsl */ `${FRAGMENT}
+uniform vec3 uFront;
+uniform vec3 uBack;
+uniform vec3 uLine;
+uniform vec3 uBackground;
+in vec3 vNormal;
+in vec3 vBarycentric;
+in float vHaze;
+
+void main() {
+  vec3 n = gl_FrontFacing ? vNormal : -vNormal;
+  float key = max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
+  float fill = max(dot(n, normalize(vec3(0.7, -0.2, 0.45))), 0.0);
+  vec3 color = (gl_FrontFacing ? uFront : uBack) * (0.52 + 0.46 * key + 0.14 * fill);
+  color = mix(color, uBackground, vHaze * 0.3);
+  // Where triangles are a few pixels wide their edges would only darken them.
+  vec3 pixel = fwidth(vBarycentric);
+  vec3 sides = smoothstep(vec3(0.0), pixel * 1.3, vBarycentric);
+  float line = 1.0 - min(sides.x, min(sides.y, sides.z));
+  float fade = 1.0 - smoothstep(0.12, 0.5, max(pixel.x, max(pixel.y, pixel.z)));
+  outColor = vec4(mix(color, uLine, line * fade * 0.62), 1.0);
+}
+`;
+
+export const WITNESS_VERTEX = /* glsl */ `${COMMON}${HAZE}
+uniform float uSize;
+out float vHaze;
+
+void main() {
+  vec3 here = viewOf(uint(gl_VertexID));
+  gl_Position = projectionMatrix * vec4(here, 1.0);
+  gl_PointSize = uSize;
+  vHaze = hazeAt(-here.z);
+}
+`;
+
+export const WITNESS_FRAGMENT = /* glsl */ `${FRAGMENT}
+uniform vec3 uColor;
+uniform float uAlpha;
+in float vHaze;
+
+void main() {
+  float r = length(gl_PointCoord - 0.5);
+  float alpha = uAlpha * (1.0 - 0.65 * vHaze) * (1.0 - smoothstep(0.32, 0.5, r));
+  outColor = vec4(uColor, alpha);
+}
+`;
+
+export const LANDMARK_VERTEX = /* glsl */ `${COMMON}${HAZE}
+in uvec2 simplex;  // vertex, birth
+uniform float uDiameter;  // in units of the scene
+uniform vec2 uSizeRange;  // least and most, in pixels
+out float vHaze;
+out float vNew;
+
+void main() {
+  vec3 here = viewOf(simplex.x);
+  gl_Position = projectionMatrix * vec4(here, 1.0);
+  gl_Position.z -= 0.0008 * gl_Position.w;
+  float size = uDiameter * projectionMatrix[1][1] * uViewport.y * 0.5 / max(-here.z, 0.02);
+  vNew = simplex.y == uStep ? 1.0 : 0.0;
+  gl_PointSize = clamp(size, uSizeRange.x, uSizeRange.y) * (1.0 + 0.6 * vNew);
+  vHaze = hazeAt(-here.z);
+}
+`;
+
+export const LANDMARK_FRAGMENT = /* glsl */ `${FRAGMENT}
+uniform vec3 uColor;
+uniform vec3 uAccent;
+uniform vec3 uBackground;
+in float vHaze;
+in float vNew;
+
+void main() {
+  vec2 at = (gl_PointCoord - 0.5) * 2.0;
+  float r = dot(at, at);
+  if (r > 1.0) discard;
+  vec3 n = vec3(at.x, -at.y, sqrt(1.0 - r));
+  float light = 0.72 + 0.34 * max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
+  outColor = vec4(mix(mix(uColor, uAccent, vNew) * light, uBackground, vHaze * 0.6), 1.0);
+}
+`;

@@ -1,0 +1,206 @@
+import {
+  BufferGeometry,
+  DataTexture,
+  FloatType,
+  NearestFilter,
+  PerspectiveCamera,
+  Points,
+  RGBAFormat,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { RunRecord } from '../model/record.ts';
+import { LifespanLayer } from './lifespan-layer.ts';
+import { createMaterials, type SceneMaterials } from './scene-materials.ts';
+
+const TEXTURE_WIDTH = 2048;
+const FIELD_OF_VIEW = 32;
+/** A landmark is drawn this large compared to ε: dots that touch no neighbor. */
+const LANDMARK_SHARE = 0.3;
+
+/** The cloud moved and scaled into the unit sphere: single precision would lose clouds far from the origin. */
+interface Frame {
+  readonly scale: number;
+  readonly texture: DataTexture;
+}
+
+function framed(record: RunRecord): Frame {
+  const { coordinates, dimension } = record;
+  const count = coordinates.length / dimension;
+  const low = new Float64Array(3).fill(Infinity);
+  const high = new Float64Array(3).fill(-Infinity);
+  const at = (point: number, axis: number): number =>
+    axis < dimension ? (coordinates[point * dimension + axis] ?? 0) : 0;
+  for (let point = 0; point < count; ++point) {
+    for (let axis = 0; axis < 3; ++axis) {
+      const value = at(point, axis);
+      if (value < (low[axis] ?? 0)) low[axis] = value;
+      if (value > (high[axis] ?? 0)) high[axis] = value;
+    }
+  }
+  const center = low.map((value, axis) => value / 2 + (high[axis] ?? 0) / 2);
+  const extent = Math.max(...low.map((value, axis) => (high[axis] ?? 0) - value)) || 1;
+  let radius = 0;
+  for (let point = 0; point < count; ++point) {
+    let sum = 0;
+    for (let axis = 0; axis < 3; ++axis) sum += ((at(point, axis) - (center[axis] ?? 0)) / extent) ** 2;
+    radius = Math.max(radius, Math.sqrt(sum));
+  }
+  const scale = 1 / (extent * (radius || 1));
+  const rows = Math.max(1, Math.ceil(count / TEXTURE_WIDTH));
+  const data = new Float32Array(TEXTURE_WIDTH * rows * 4);
+  for (let point = 0; point < count; ++point) {
+    for (let axis = 0; axis < 3; ++axis)
+      data[4 * point + axis] = (at(point, axis) - (center[axis] ?? 0)) * scale;
+  }
+  const texture = new DataTexture(data, TEXTURE_WIDTH, rows, RGBAFormat, FloatType);
+  texture.minFilter = texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  return { scale, texture };
+}
+
+/** Draws a record at a step: orbit with the pointer, drawn only when something changed. Throws without WebGL 2. */
+export class ShapeView {
+  private readonly renderer: WebGLRenderer;
+  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.02, 100);
+  private readonly controls: OrbitControls;
+  private readonly scene = new Scene();
+  private readonly materials: SceneMaterials = createMaterials();
+  private readonly resizing: ResizeObserver;
+  private record: RunRecord | undefined;
+  private frame: Frame | undefined;
+  private witnesses: Points | undefined;
+  private layers:
+    | { points: LifespanLayer; edges: LifespanLayer; triangles: LifespanLayer; rows: LifespanLayer }
+    | undefined;
+  private renderRequest = 0;
+
+  constructor(private readonly container: HTMLElement) {
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.domElement.setAttribute('aria-hidden', 'true');
+    container.append(this.renderer.domElement);
+    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
+    this.controls.addEventListener('change', () => this.requestRender());
+    this.controls.minDistance = 0.4;
+    this.controls.maxDistance = 30;
+    this.resizing = new ResizeObserver(() => this.resize());
+    this.resizing.observe(container);
+    this.resize();
+  }
+
+  /** Shows another record from its first step on, from a fresh view point. */
+  setRecord(record: RunRecord): void {
+    this.clear();
+    this.record = record;
+    this.frame = framed(record);
+    const { shared } = this.materials;
+    shared.uPositions.value = this.frame.texture;
+    const geometry = new BufferGeometry();
+    geometry.setDrawRange(0, record.coordinates.length / record.dimension);
+    this.witnesses = new Points(geometry, this.materials.witness);
+    this.witnesses.frustumCulled = false;
+    this.layers = {
+      points: new LifespanLayer(record.points, 'point', this.materials.landmark),
+      edges: new LifespanLayer(record.edges, 'edge', this.materials.edge),
+      triangles: new LifespanLayer(record.triangles, 'triangle', this.materials.face),
+      rows: new LifespanLayer(record.rows, 'triangle', this.materials.surface),
+    };
+    const { points, edges, triangles, rows } = this.layers;
+    // What is solid first, so that smooth sides and faint points blend with it.
+    [rows, triangles, points, edges].forEach((layer, order) => {
+      layer.group.renderOrder = order;
+      this.scene.add(layer.group);
+    });
+    this.witnesses.renderOrder = 4;
+    this.scene.add(this.witnesses);
+    this.fit();
+  }
+
+  /** Takes over what the record has gained. */
+  sync(): void {
+    if (!this.layers) return;
+    for (const layer of Object.values(this.layers)) layer.sync();
+  }
+
+  /** Sets two uniforms and the counts of what is drawn; uploads no geometry. */
+  showStep(step: number): void {
+    if (!this.layers || !this.record || !this.frame || step < 1) return;
+    const { family, track, epsilon } = this.record.summary(step);
+    const { points, edges, triangles, rows } = this.layers;
+    const onSurface = family === 'surface';
+    this.materials.shared.uStep.value = step;
+    this.materials.shared.uTrack.value = onSurface ? 0 : track;
+    this.materials.landmarkDiameter.value = epsilon * this.frame.scale * LANDMARK_SHARE;
+    rows.group.visible = onSurface;
+    edges.group.visible = triangles.group.visible = !onSurface;
+    points.show(step, 0);
+    if (onSurface) rows.show(step, 0);
+    else {
+      edges.show(step, track);
+      triangles.show(step, track);
+    }
+    this.requestRender();
+  }
+
+  /** Looks at the whole cloud: in the plane from above, in space from a little above the side. */
+  fit(): void {
+    const planar = this.record?.dimension === 2;
+    const half = (FIELD_OF_VIEW / 2) * (Math.PI / 180);
+    const narrow = Math.min(1, this.camera.aspect);
+    const distance = 1.03 / Math.sin(Math.atan(Math.tan(half) * narrow));
+    const direction = planar ? new Vector3(0, 0, 1) : new Vector3(0.45, -0.75, 0.62).normalize();
+    this.camera.up.set(0, planar ? 1 : 0, planar ? 0 : 1);
+    this.controls.enableRotate = !planar;
+    this.controls.target.set(0, 0, 0);
+    this.camera.position.copy(direction.multiplyScalar(distance));
+    this.controls.update();
+    this.requestRender();
+  }
+
+  /** Reads the colors of the page again. */
+  applyTheme(): void {
+    this.materials.applyTheme();
+    this.requestRender();
+  }
+
+  requestRender(): void {
+    this.renderRequest ||= requestAnimationFrame(() => {
+      this.renderRequest = 0;
+      this.materials.shared.uDistance.value = this.camera.position.distanceTo(this.controls.target);
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.renderRequest);
+    this.resizing.disconnect();
+    this.clear();
+    this.controls.dispose();
+    this.materials.dispose();
+    this.renderer.dispose();
+    this.renderer.domElement.remove();
+  }
+
+  private clear(): void {
+    if (this.layers) for (const layer of Object.values(this.layers)) layer.dispose();
+    this.witnesses?.geometry.dispose();
+    this.frame?.texture.dispose();
+    this.scene.clear();
+    this.layers = undefined;
+    this.witnesses = undefined;
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.container;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.renderer.getDrawingBufferSize(this.materials.shared.uViewport.value);
+    this.materials.setPixelRatio(this.renderer.getPixelRatio());
+    this.requestRender();
+  }
+}

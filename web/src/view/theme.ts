@@ -1,0 +1,41 @@
+import { Color } from 'three';
+
+/** The colors of the scene, as the style sheet gives them for light and dark. */
+export interface SceneTheme {
+  readonly background: Color;
+  readonly surface: Color;
+  readonly surfaceBack: Color;
+  readonly surfaceLine: Color;
+  readonly face: Color;
+  readonly edge: Color;
+  readonly landmark: Color;
+  readonly accent: Color;
+  readonly witness: Color;
+  readonly witnessAlpha: number;
+}
+
+/** The value of a CSS variable of the page. */
+export function cssValue(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+/** As written, without the conversion to linear light: the shaders mix on-screen values. */
+function color(name: string): Color {
+  const [, red = '80', green = '80', blue = '80'] = /^#(..)(..)(..)$/.exec(cssValue(name)) ?? [];
+  return new Color().setRGB(parseInt(red, 16) / 255, parseInt(green, 16) / 255, parseInt(blue, 16) / 255);
+}
+
+export function sceneTheme(): SceneTheme {
+  return {
+    background: color('--stage'),
+    surface: color('--surface'),
+    surfaceBack: color('--surface-back'),
+    surfaceLine: color('--surface-line'),
+    face: color('--face'),
+    edge: color('--edge'),
+    landmark: color('--landmark'),
+    accent: color('--accent-landmark'),
+    witness: color('--witness'),
+    witnessAlpha: Number(cssValue('--witness-alpha')) || 0.4,
+  };
+}
