@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
-#include <functional>
+#include <ostream>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 namespace plateau {
 namespace {
@@ -321,6 +320,10 @@ std::vector<TestCloud> shapes_in_space() {
 }
 
 }  // namespace
+
+std::ostream& operator<<(std::ostream& out, const TestCloud& cloud) {
+    return out << cloud.name;
+}
 
 std::vector<TestCloud> test_clouds() {
     std::vector<TestCloud> clouds;

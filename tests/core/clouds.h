@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ struct TestCloud {
     std::string name;  ///< letters, digits and underscores
     PointCloud cloud;
 };
+
+/// The name, for messages.
+std::ostream& operator<<(std::ostream& out, const TestCloud& cloud);
 
 /// At least 34 clouds in the plane and in space, the same bits at every call: shapes, grids, cospherical and tied
 /// points, duplicates, lower-dimensional sets, dimensions that rise late, extreme scales, and sets at which surfaces
