@@ -19,6 +19,7 @@ export default tseslint.config(
   },
   {
     files: ['web/src/**/*.ts'],
+    ignores: ['**/*.d.ts'],
     rules: {
       'no-console': 'error',
       'no-restricted-syntax': [

@@ -4,6 +4,7 @@
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline/promises';
+import { companions, conflictsWithNode, downloadSize, installPrivately } from './lib/emscripten.mjs';
 import { needs, packagesFor } from './lib/packages.mjs';
 import { Failure, capture, isScript, main, onPath, root, run } from './lib/run.mjs';
 
@@ -81,20 +82,23 @@ function apt(words) {
 
 /** What apt says that an installation takes; it only plans and needs no rights. */
 function plan(packages) {
-  const { out, err } = capture('apt-get', [
-    'install',
-    '--print-uris',
-    '--no-install-recommends',
-    ...packages,
-  ]);
+  const words = ['install', '--print-uris', '--no-install-recommends', ...packages];
+  const { ok, out, err } = capture('apt-get', words);
   const line = (pattern) => out.split('\n').find((text) => pattern.test(text));
-  const unknown = [...err.matchAll(/Unable to locate package (\S+)/g)].map((match) => match[1]);
-  const newNode = out.split('\n').some((text) => /^'[^']*' nodejs_(\d+)/.test(text));
   return {
-    unknown,
-    newNode,
+    ok,
+    says: out + err,
+    newNode: /^'[^']*' nodejs_/m.test(out),
     size: [line(/^Need to get /), line(/additional disk space/)].filter(Boolean).join(' '),
   };
+}
+
+/** The plan for the packages; where Emscripten cannot stand beside this Node.js, one with a private copy of it. */
+function planAround(packages) {
+  const first = { packages, copy: false, ...plan(packages) };
+  if (first.ok || !packages.includes('emscripten') || !conflictsWithNode(first.says)) return first;
+  const others = [...new Set([...packages.filter((pkg) => pkg !== 'emscripten'), ...companions])];
+  return { packages: others, copy: true, ...plan(others) };
 }
 
 async function agreed(yes) {
@@ -116,23 +120,23 @@ function checkNodeAfterwards(before) {
   }
 }
 
-async function installPackages(missing, { dryRun }) {
+async function installPackages(packages, { dryRun }) {
   const rights = privilege();
-  const byHand = `apt-get update && ${aptInstall(missing).join(' ')}`;
+  const byHand = `apt-get update && ${aptInstall(packages).join(' ')}`;
   if (dryRun) {
     if (listsAreAbsent()) console.log('would run: apt-get update');
-    console.log(`would run: ${[...(rights ?? []), ...aptInstall(missing)].join(' ')}`);
+    console.log(`would run: ${[...(rights ?? []), ...aptInstall(packages)].join(' ')}`);
     return;
   }
   if (rights === null) throw new Failure(`There is no sudo here. As root, run:\n  ${byHand}`);
   const path = process.env.PATH;
   try {
-    await apt(aptInstall(missing));
+    await apt(aptInstall(packages));
   } catch {
     // Old package lists name files that the archive no longer has; new lists mend that.
     console.log('The installation failed; once more with fresh package lists.');
     await apt(['apt-get', 'update']);
-    await apt(aptInstall(missing));
+    await apt(aptInstall(packages));
   }
   checkNodeAfterwards(path);
 }
@@ -141,6 +145,30 @@ async function refreshLists(dryRun) {
   if (dryRun || !listsAreAbsent() || privilege() === null) return;
   console.log('apt has no package lists yet; fetching them.');
   await apt(['apt-get', 'update']);
+}
+
+/** Plans the installation of what is missing and says what it takes. */
+async function announced(missing, dryRun) {
+  await refreshLists(dryRun);
+  const work = planAround(missing);
+  if (!work.ok) {
+    throw new Failure(
+      `apt cannot install what is missing:\n  ${missing.join(' ')}\nIt says:\n${work.says.trim()}\n` +
+        'Plateau is built on Debian 12 (bookworm) or a system with the same packages; is apt-get update needed?',
+    );
+  }
+  console.log(`System packages to install:\n  ${work.packages.join(' ')}\n  ${work.size}`);
+  if (work.newNode) {
+    console.log(`  They bring Debian's own, older Node.js along; ${process.execPath} stays as it is.`);
+  }
+  if (work.copy) {
+    const megabytes = Math.round((downloadSize() ?? 0) / 1e6);
+    console.log(
+      `Emscripten to unpack into build/emscripten (${megabytes} MB to download, about 800 MB on disk): ` +
+        "Debian's package cannot be installed beside the Node.js of this machine.",
+    );
+  }
+  return work;
 }
 
 /** Says what is missing for the needs, asks once, installs it. Returns at once when nothing is missing. */
@@ -157,25 +185,16 @@ export async function setup(names, { dryRun = false, yes = false } = {}) {
         'These are the names of Debian 12 packages; install what your system calls them (headers under /usr/include) and start again.',
     );
   }
-  if (missing.length > 0) {
-    await refreshLists(dryRun);
-    const { unknown, newNode, size } = plan(missing);
-    if (unknown.length > 0) {
-      throw new Failure(
-        `apt knows no package ${unknown.join(', ')}. Plateau is built on Debian 12 (bookworm) or a system with the same packages.`,
-      );
-    }
-    console.log(
-      `System packages to install:\n  ${missing.join(' ')}\n  ${size || 'apt did not say how large they are.'}`,
-    );
-    if (newNode)
-      console.log(`  They bring Debian's own, older Node.js along; ${process.execPath} stays as it is.`);
-  }
+  const work = missing.length > 0 ? await announced(missing, dryRun) : { packages: [], copy: false };
   if (modules)
     console.log('npm packages to install: those of package-lock.json, into node_modules (about 160 MB).');
   if (!dryRun && !(await agreed(yes))) throw new Failure('Nothing was installed.');
 
-  if (missing.length > 0) await installPackages(missing, { dryRun });
+  if (work.packages.length > 0) await installPackages(work.packages, { dryRun });
+  if (work.copy) {
+    if (dryRun) console.log('would run: apt-get download emscripten, and unpack it into build/emscripten');
+    else await installPrivately();
+  }
   if (modules) {
     if (dryRun) console.log('would run: npm ci');
     else await run('npm', ['ci', '--no-audit', '--no-fund']);
@@ -185,12 +204,13 @@ export async function setup(names, { dryRun = false, yes = false } = {}) {
 if (isScript(import.meta.url)) {
   const words = process.argv.slice(2);
   const names = words.filter((word) => !word.startsWith('--'));
+  const dryRun = words.includes('--dry-run');
   await main(async () => {
     const unknown = names.filter((name) => !(name in needs));
     if (unknown.length > 0)
       throw new Failure(`Unknown: ${unknown.join(', ')}. Known: ${Object.keys(needs).join(', ')}.`);
     const all = names.length > 0 ? names : Object.keys(needs);
-    await setup(all, { dryRun: words.includes('--dry-run'), yes: words.includes('--yes') });
-    console.log(`Ready for: ${all.join(', ')}.`);
+    await setup(all, { dryRun, yes: words.includes('--yes') });
+    if (!dryRun) console.log(`Ready for: ${all.join(', ')}.`);
   });
 }
