@@ -57,9 +57,14 @@ planted(
   /^core\/homology\/planted\.h: core\/homology may not include session\/session\.h/,
 );
 planted(
-  'the combinatorics reach for the page of the module',
+  'the module reaches past the session',
   { 'wasm/planted.cpp': '#include "complex/simplex_table.h"\n' },
   /^wasm\/planted\.cpp: wasm may not include/,
+);
+planted(
+  'a reader of point files knows the session',
+  { 'core/io/planted.h': '#include "session/session.h"\n' },
+  /^core\/io\/planted\.h: core\/io may not include session\/session\.h/,
 );
 planted(
   'CGAL outside its room',
