@@ -9,18 +9,18 @@ namespace plateau {
 
 /// Every expected failure of the core. The numeric values cross the module boundary: append only.
 enum class ErrorCode : unsigned char {
-    EmptyInput = 1,        ///< no point at all
-    TooFewPoints = 2,      ///< fewer points than the task needs
-    NotANumber = 3,        ///< NaN or infinity, or a coordinate whose square overflows
-    RaggedRows = 4,        ///< rows of different length
-    MalformedInput = 5,    ///< the text or bytes break the rules of their format
-    UnknownFormat = 6,     ///< a file of another kind
+    EmptyInput = 1,      ///< no point at all
+    TooFewPoints = 2,    ///< fewer points than the task needs
+    NotANumber = 3,      ///< NaN or infinity, or a coordinate whose square overflows
+    RaggedRows = 4,      ///< rows of different length
+    MalformedInput = 5,  ///< the text or bytes break the rules of their format
+    UnknownFormat = 6,   ///< a file of another kind
     UnsupportedDimension = 7,
-    InvalidOption = 8,     ///< an option out of its range or unknown
-    OutOfMemory = 9,       ///< the estimate exceeds the budget, or the budget ran out during the run
+    InvalidOption = 8,  ///< an option out of its range or unknown
+    OutOfMemory = 9,    ///< the estimate exceeds the budget, or the budget ran out during the run
     CannotReadFile = 10,
     CannotWriteFile = 11,
-    Internal = 12,         ///< a broken invariant; please report
+    Internal = 12,  ///< a broken invariant; please report
 };
 
 /// An expected failure: a code for programs and one sentence that tells a person what to do.
