@@ -1,4 +1,5 @@
 import { Color, DoubleSide, GLSL3, RawShaderMaterial, Vector2, type IUniform, type Texture } from 'three';
+import type { ShownFamily } from '../worker/protocol.ts';
 import {
   EDGE_FRAGMENT,
   EDGE_VERTEX,
@@ -35,6 +36,8 @@ export interface SceneMaterials {
   /** Diameter of a landmark in units of the scene. */
   readonly landmarkDiameter: IUniform<number>;
   applyTheme(): void;
+  /** Colors the complex by the family that is shown. */
+  setFamily(family: ShownFamily): void;
   setPixelRatio(ratio: number): void;
   dispose(): void;
 }
@@ -98,6 +101,8 @@ export function createMaterials(): SceneMaterials {
   });
   const all = [edge, surface, faces, witness, landmark];
 
+  let theme = sceneTheme();
+  let shown: ShownFamily = 'delaunay';
   const materials: SceneMaterials = {
     shared,
     edge,
@@ -107,17 +112,21 @@ export function createMaterials(): SceneMaterials {
     landmark,
     landmarkDiameter,
     applyTheme() {
-      const theme = sceneTheme();
+      theme = sceneTheme();
+      materials.setFamily(shown);
       shared.uBackground.value.copy(theme.background);
-      edgeColor.value.copy(theme.edge);
       line.value.copy(theme.surfaceLine);
       surfaceFront.value.copy(theme.surface);
       surfaceBack.value.copy(theme.surfaceBack);
-      face.value.copy(theme.face);
       witnessColor.value.copy(theme.witness);
       witnessAlpha.value = theme.witnessAlpha;
       landmarkColor.value.copy(theme.landmark);
       accent.value.copy(theme.accent);
+    },
+    setFamily(family) {
+      shown = family;
+      edgeColor.value.copy(theme.edge[family]);
+      face.value.copy(theme.face[family]);
     },
     setPixelRatio(ratio) {
       edgeWidth.value = EDGE_WIDTH * ratio;

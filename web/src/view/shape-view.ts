@@ -131,6 +131,7 @@ export class ShapeView {
     const { family, track, epsilon } = this.record.summary(step);
     const { points, edges, triangles, rows } = this.layers;
     const onSurface = family === 'surface';
+    this.materials.setFamily(family);
     this.materials.shared.uStep.value = step;
     this.materials.shared.uTrack.value = onSurface ? 0 : track;
     this.materials.landmarkDiameter.value = epsilon * this.frame.scale * LANDMARK_SHARE;

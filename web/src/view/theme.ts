@@ -1,4 +1,5 @@
 import { Color } from 'three';
+import type { ShownFamily } from '../worker/protocol.ts';
 
 /** The colors of the scene, as the style sheet gives them for light and dark. */
 export interface SceneTheme {
@@ -6,8 +7,9 @@ export interface SceneTheme {
   readonly surface: Color;
   readonly surfaceBack: Color;
   readonly surfaceLine: Color;
-  readonly face: Color;
-  readonly edge: Color;
+  /** Edges and triangles of the complex, in the hue of its family. */
+  readonly face: Readonly<Record<ShownFamily, Color>>;
+  readonly edge: Readonly<Record<ShownFamily, Color>>;
   readonly landmark: Color;
   readonly accent: Color;
   readonly witness: Color;
@@ -25,14 +27,19 @@ function color(name: string): Color {
   return new Color().setRGB(parseInt(red, 16) / 255, parseInt(green, 16) / 255, parseInt(blue, 16) / 255);
 }
 
+function byFamily(name: string): Record<ShownFamily, Color> {
+  const delaunay = color(`${name}-delaunay`);
+  return { delaunay, witness: color(`${name}-witness`), surface: delaunay };
+}
+
 export function sceneTheme(): SceneTheme {
   return {
     background: color('--stage'),
     surface: color('--surface'),
     surfaceBack: color('--surface-back'),
     surfaceLine: color('--surface-line'),
-    face: color('--face'),
-    edge: color('--edge'),
+    face: byFamily('--face'),
+    edge: byFamily('--edge'),
     landmark: color('--landmark'),
     accent: color('--accent-landmark'),
     witness: color('--witness'),

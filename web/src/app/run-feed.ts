@@ -1,0 +1,65 @@
+import type { RemoteRun } from '../client/plateau-client.ts';
+import { rankedCards, type PlateauCard } from '../model/plateau-cards.ts';
+import { RunRecord } from '../model/record.ts';
+import type { Failure } from '../worker/protocol.ts';
+
+/** Between two questions to the worker: it computes on, the page draws. */
+const PULL_MS = 25;
+const CARDS_EVERY_MS = 500;
+
+export interface FeedListener {
+  /** The record has grown. */
+  grown(): void;
+  cardsFound(cards: readonly PlateauCard[]): void;
+  /** Nothing more will come; `stopped` says why, if it was too early. */
+  ended(stopped: Failure | undefined): void;
+  failed(error: unknown): void;
+}
+
+/** Pulls what a run appends into a record until it ends. */
+export class RunFeed {
+  readonly record: RunRecord;
+  private stopped = false;
+
+  constructor(
+    readonly run: RemoteRun,
+    private readonly listener: FeedListener,
+  ) {
+    this.record = new RunRecord(run.opened);
+  }
+
+  start(): void {
+    this.pull().catch((error: unknown) => {
+      if (!this.stopped) this.listener.failed(error);
+    });
+  }
+
+  /** Ends the pulling and frees the run in the worker. */
+  dispose(): void {
+    this.stopped = true;
+    // A dead worker has nothing to free.
+    this.run.close().catch(() => undefined);
+  }
+
+  private async pull(): Promise<void> {
+    let cardsDue = 0;
+    while (!this.stopped) {
+      const delta = await this.run.fetchDelta();
+      if (this.stopped) return;
+      this.record.append(delta);
+      this.listener.grown();
+      const ended = delta.state === 'finished' || delta.state === 'stopped';
+      if (ended || performance.now() >= cardsDue) {
+        const plateaus = await this.run.fetchPlateaus();
+        if (this.stopped) return;
+        this.listener.cardsFound(rankedCards(plateaus, this.record.dimension));
+        cardsDue = performance.now() + CARDS_EVERY_MS;
+      }
+      if (ended) {
+        this.listener.ended(delta.stopped);
+        return;
+      }
+      await new Promise((resolve) => setTimeout(resolve, PULL_MS));
+    }
+  }
+}

@@ -1,0 +1,67 @@
+import type { CloudSource, Family, RunOptions } from '../worker/protocol.ts';
+import { SAMPLES } from './samples.ts';
+
+/** What the visitor chose to look at. A file is kept, not its bytes: it is read anew for other settings. */
+export type SourceChoice =
+  | { readonly kind: 'sample'; readonly shape: string; readonly size: number }
+  | { readonly kind: 'file'; readonly file: File; readonly columns?: readonly number[] };
+
+/** What the page begins with. */
+export interface Start {
+  readonly choice: SourceChoice;
+  readonly options: RunOptions;
+}
+
+export function sourceName(choice: SourceChoice): string {
+  if (choice.kind === 'file') return choice.file.name;
+  return SAMPLES.find(({ shape }) => shape === choice.shape)?.label ?? choice.shape;
+}
+
+/** A name for saved files: that of the shape, or of the file without its ending. */
+export function fileStem(choice: SourceChoice): string {
+  if (choice.kind === 'sample') return choice.shape;
+  return choice.file.name.replace(/\.[^.]*$/, '') || 'points';
+}
+
+export async function cloudSource(choice: SourceChoice): Promise<CloudSource> {
+  if (choice.kind === 'sample') return choice;
+  const { file, columns } = choice;
+  let bytes: ArrayBuffer;
+  try {
+    bytes = await file.arrayBuffer();
+  } catch {
+    throw new Error(
+      `${file.name} could not be read. It may have been moved, or it is too large for this browser.`,
+    );
+  }
+  return { kind: 'file', name: file.name, bytes, ...(columns ? { columns } : {}) };
+}
+
+/** "1, 6, 6, 4" as numbers; a sentence where it is no list of whole numbers from `least` on. */
+export function parseList(text: string, least: number, name: string): readonly number[] {
+  const entries = text.split(/[\s,;]+/).filter((entry) => entry !== '');
+  const numbers = entries.map(Number);
+  if (numbers.some((value) => !Number.isInteger(value) || value < least)) {
+    throw new Error(`${name} takes whole numbers from ${least} on, separated by commas.`);
+  }
+  return numbers;
+}
+
+const FAMILIES: readonly string[] = ['witness', 'delaunay', 'surface', 'auto'] satisfies readonly Family[];
+
+export function isFamily(text: string): text is Family {
+  return FAMILIES.includes(text);
+}
+
+/** The helix, or what the address asks for: ?sample=torus&n=800&family=surface. */
+export function startFrom(query: string): Start {
+  const asked = new URLSearchParams(query);
+  const sample = SAMPLES.find(({ shape }) => shape === asked.get('sample'));
+  const size = Number(asked.get('n'));
+  const family = asked.get('family') ?? '';
+  const { shape, size: usual } = sample ?? { shape: 'helix', size: 3000 };
+  return {
+    choice: { kind: 'sample', shape, size: Number.isInteger(size) && size > 0 ? size : usual },
+    options: isFamily(family) ? { family } : {},
+  };
+}

@@ -1,0 +1,33 @@
+import { grouped, readable } from '../model/numbers.ts';
+import type { RunRecord, StepSummary } from '../model/record.ts';
+import { bettiInNumbers } from '../model/words.ts';
+
+const SPOKEN_EVERY_MS = 1_000;
+
+function sentence(record: RunRecord, at: StepSummary | undefined): string {
+  const step = `step ${grouped(at?.step ?? 0)} of ${grouped(record.stepsPlanned)}`;
+  if (!at) return `${step} · ε – · β –`;
+  return `${step} · ε ${readable(at.epsilon)} · ${bettiInNumbers(at.betti)} · ${at.family}`;
+}
+
+/**
+ * The numbers of the playhead twice: for eyes at every frame, for screen readers at most once a second while the film
+ * runs.
+ */
+export class StatusLine {
+  private spokenAt = -Infinity;
+
+  constructor(
+    private readonly readout: HTMLElement,
+    private readonly status: HTMLElement,
+  ) {}
+
+  show(record: RunRecord, at: StepSummary | undefined, moving: boolean): void {
+    const text = sentence(record, at);
+    this.readout.textContent = text;
+    const now = performance.now();
+    if (moving && now - this.spokenAt < SPOKEN_EVERY_MS) return;
+    this.spokenAt = now;
+    if (this.status.textContent !== text) this.status.textContent = text;
+  }
+}
