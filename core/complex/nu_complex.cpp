@@ -281,7 +281,7 @@ void NuComplex::bear(Step step, int k, std::vector<SimplexTable>& tables) {
 }
 
 void NuComplex::watch(int track, int k, SimplexIndex simplex, Step birth, std::uint32_t cursor) {
-    const Witness witness = entered_[first_entered_[birth] + cursor];
+    const WitnessId witness = entered_[first_entered_[birth] + cursor];
     Watch& book = books_[static_cast<std::size_t>(k - 1)].watch[static_cast<std::size_t>(track)];
     std::uint32_t& first = first_watched_[static_cast<std::size_t>(track)][witness];
     book.cursor[simplex] = cursor;

@@ -84,7 +84,7 @@ bool LandmarkLists::prepare(const Deadline& deadline) {
         const std::uint32_t n = size();
         witness_of_.resize(n);
         points_.resize(n);
-        for (Witness w = 0; w < n; ++w) {
+        for (WitnessId w = 0; w < n; ++w) {
             witness_of_[input_index_[w]] = w;
             const auto point = cloud_->point(input_index_[w]);
             points_[w] = {point[0], point[1], cloud_->dimension > 2 ? point[2] : 0.0};
@@ -135,7 +135,7 @@ bool LandmarkLists::visit(std::uint32_t node_index, const Point& p, std::uint32_
 void LandmarkLists::visit_leaf(Node& node, const Point& p, std::uint32_t step) {
     node.largest_first = -1;
     node.largest_last = -1;
-    for (Witness w = node.begin; w < node.end; ++w) {
+    for (WitnessId w = node.begin; w < node.end; ++w) {
         double* distances = distances_.data() + static_cast<std::size_t>(w) * kappa_;
         const double distance = point_distance_squared(points_[w], p);
         if (distance < distances[kappa_ - 1]) {

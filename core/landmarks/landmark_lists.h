@@ -11,11 +11,11 @@
 namespace plateau {
 
 /// Position of a witness in the order of the tree, 0-based. Not the input index: see LandmarkLists::input_index.
-using Witness = std::uint32_t;
+using WitnessId = std::uint32_t;
 
 /// A landmark entered a witness's list.
 struct ListEntry {
-    Witness witness = 0;
+    WitnessId witness = 0;
     std::uint32_t rank = 0;  ///< 0-based place in the list
 };
 
@@ -47,15 +47,15 @@ public:
 
     std::uint32_t kappa() const { return kappa_; }
     std::uint32_t size() const { return static_cast<std::uint32_t>(input_index_.size()); }
-    std::uint32_t input_index(Witness witness) const { return input_index_[witness]; }
+    std::uint32_t input_index(WitnessId witness) const { return input_index_[witness]; }
     /// Tree position of the point with this input index.
-    Witness witness(std::uint32_t input_index) const { return witness_of_[input_index]; }
+    WitnessId witness(std::uint32_t input_index) const { return witness_of_[input_index]; }
     /// Steps of the witness's nearest landmarks, nearest first; kappa of them, 0 beyond the landmarks so far.
-    std::span<const std::uint32_t> list(Witness witness) const {
+    std::span<const std::uint32_t> list(WitnessId witness) const {
         return {steps_.data() + static_cast<std::size_t>(witness) * kappa_, kappa_};
     }
     /// Squared distances of the same landmarks; infinity beyond the landmarks so far.
-    std::span<const double> distances_squared(Witness witness) const {
+    std::span<const double> distances_squared(WitnessId witness) const {
         return {distances_.data() + static_cast<std::size_t>(witness) * kappa_, kappa_};
     }
 
@@ -82,7 +82,7 @@ private:
     const PointCloud* cloud_;
     std::uint32_t kappa_;
     std::vector<std::uint32_t> input_index_;
-    std::vector<Witness> witness_of_;
+    std::vector<WitnessId> witness_of_;
     std::vector<Point> points_;  // by witness
     std::vector<double> distances_;
     std::vector<std::uint32_t> steps_;

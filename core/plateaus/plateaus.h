@@ -11,9 +11,9 @@ namespace plateau {
 struct Plateau {
     Step first_step = 0;
     Step last_step = 0;
-    double epsilon_first = 0;          ///< epsilon(first_step), input units
-    double epsilon_last = 0;           ///< epsilon(last_step)
-    double ratio = 1;                  ///< epsilon+(first) / epsilon+(last+1) >= 1; ranked by this
+    double epsilon_first = 0;  ///< epsilon(first_step), input units
+    double epsilon_last = 0;   ///< epsilon(last_step)
+    double ratio = 1;          ///< epsilon+(first) / epsilon+(last+1) >= 1; ranked by this
     Family family = Family::Delaunay;
     std::vector<std::uint32_t> betti;
 

@@ -14,13 +14,13 @@
 namespace plateau {
 
 struct RunOptions {
-    std::optional<Family> family;        ///< default: Delaunay in the plane, Auto in space
-    std::vector<std::uint32_t> nu;       ///< nu_0, nu_1, ...; empty: the family's default
-    std::uint32_t first = 0;             ///< 0-based input index of the first landmark
+    std::optional<Family> family;   ///< default: Delaunay in the plane, Auto in space
+    std::vector<std::uint32_t> nu;  ///< nu_0, nu_1, ...; empty: the family's default
+    std::uint32_t first = 0;        ///< 0-based input index of the first landmark
     std::uint32_t max_steps = std::numeric_limits<std::uint32_t>::max();
-    double until_epsilon = 0;            ///< stop after the first step with epsilon <= this, input units
-    double rho = 0;                      ///< surface: drop triangles with radius-edge ratio above this; 0 = off
-    std::uint32_t field = 2;             ///< a prime below 46341; matters for family witness
+    double until_epsilon = 0;  ///< stop after the first step with epsilon <= this, input units
+    double rho = 0;            ///< surface: drop triangles with radius-edge ratio above this; 0 = off
+    std::uint32_t field = 2;   ///< a prime below 46341; matters for family witness
     std::uint64_t memory_limit = std::uint64_t{3} << 30;  ///< bytes the run may take
 };
 
@@ -33,15 +33,15 @@ struct Budget {
 enum class RunState : std::uint8_t {
     Preparing = 0,  ///< building the tree over the witnesses; no step yet
     Running = 1,
-    Finished = 2,   ///< all landmarks in, epsilon = 0, or a stop that the options asked for
-    Stopped = 3,    ///< the memory limit was reached; what was computed stays. See Progress::stopped
+    Finished = 2,  ///< all landmarks in, epsilon = 0, or a stop that the options asked for
+    Stopped = 3,   ///< the memory limit was reached; what was computed stays. See Progress::stopped
 };
 
 struct Progress {
     RunState state = RunState::Preparing;
-    Step steps_done = 0;      ///< complete steps: those with Betti numbers
-    Step steps_planned = 0;   ///< an upper bound: min(n, max_steps)
-    double epsilon = 0;       ///< of the last complete step; 0 before the first
+    Step steps_done = 0;     ///< complete steps: those with Betti numbers
+    Step steps_planned = 0;  ///< an upper bound: min(n, max_steps)
+    double epsilon = 0;      ///< of the last complete step; 0 before the first
     std::optional<Error> stopped;
 };
 
@@ -63,7 +63,7 @@ public:
     Progress progress() const;
 
     const PointCloud& cloud() const;
-    const RunOptions& options() const;       ///< with the defaults filled in
+    const RunOptions& options() const;  ///< with the defaults filled in
     const Timeline& timeline() const;
     std::vector<Plateau> plateaus() const { return find_plateaus(timeline()); }
     /// 64-bit FNV-1a over all complete steps: (step, landmark, bits of epsilon, births and deaths, rows, Betti vector).

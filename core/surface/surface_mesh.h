@@ -13,8 +13,8 @@ namespace plateau {
 /// The extracted surface of one step as a closed oriented triangle mesh; vertices and edges of the outer boundary that
 /// are met twice are duplicated [GO 3.2.2 step 4], so every edge has exactly two triangles.
 struct SurfaceMesh {
-    std::vector<Step> vertex_landmark;                      ///< the landmark at which each mesh vertex lies
-    std::vector<std::array<std::uint32_t, 3>> triangles;    ///< 0-based mesh vertices, counter-clockwise from outside
+    std::vector<Step> vertex_landmark;                    ///< the landmark at which each mesh vertex lies
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< 0-based mesh vertices, counter-clockwise from outside
 };
 
 /// The surface of a complete step; empty where the surface is empty. Cost: O(rows so far).

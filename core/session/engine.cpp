@@ -1,0 +1,164 @@
+#include "session/engine.h"
+
+#include <algorithm>
+
+#include "homology/general_betti.h"
+
+namespace plateau {
+
+namespace {
+
+std::uint32_t largest_entry(const std::vector<std::vector<std::uint32_t>>& nu) {
+    std::uint32_t largest = 1;
+    for (const auto& sequence : nu) {
+        for (const std::uint32_t entry : sequence) largest = std::max(largest, entry);
+    }
+    return largest;
+}
+
+}  // namespace
+
+Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
+    : cloud_(&cloud),
+      options_(options),
+      lists_(cloud, largest_entry(options.nu)),
+      complex_(options.nu, static_cast<int>(cloud.dimension), cloud.size()) {
+    timeline_.dimension = cloud.dimension;
+    timeline_.family = options.family;
+    timeline_.track_count = static_cast<int>(options.nu.size());
+    timeline_.simplices.resize(cloud.dimension);
+    for (std::uint32_t k = 1; k <= cloud.dimension; ++k) timeline_.simplices[k - 1].dimension = static_cast<int>(k);
+
+    const bool follows_surface = options.family == Family::Surface || options.family == Family::Auto;
+    if (options.family != Family::Witness) delaunay_.emplace(cloud.dimension);
+    if (follows_surface) {
+        surface_.emplace(options.rho);
+        surface_betti_.emplace();
+    }
+    const int dimension = static_cast<int>(cloud.dimension);
+    if (options.family == Family::Delaunay) embedded_.emplace(0, dimension);
+    if (options.family == Family::Auto) embedded_.emplace(1, dimension);
+}
+
+std::optional<Error> Engine::insert(std::uint32_t input_index) {
+    const Step step = inserted() + 1;
+    const std::uint32_t nearest = lists_.list(lists_.witness(input_index))[0];
+
+    const DelaunayChange* change = nullptr;
+    if (delaunay_) {
+        auto inserted = delaunay_->insert(step, cloud_->point(input_index), nearest);
+        if (!inserted) return inserted.error();
+        change = inserted.value();
+    }
+    const auto entries = lists_.insert(input_index, step);
+    timeline_.landmarks.push_back(input_index);
+    timeline_.epsilon_squared.push_back(lists_.farthest_distance_squared());
+    timeline_.delaunay_dimension.push_back(static_cast<std::uint8_t>(change == nullptr ? 0 : change->dimension));
+
+    complex_.insert(step, lists_, entries, delaunay_ ? &*delaunay_ : nullptr, change, timeline_.simplices);
+    record_deaths();
+    if (change != nullptr) {
+        faces_.update(step, *delaunay_, *change, complex_, timeline_.simplices);
+        changes_ += change->born.size() + change->died.size();
+    }
+    if (surface_) {
+        const LandmarkPoints points{cloud_, &timeline_.landmarks};
+        surface_->update(step, *delaunay_, *change, complex_, faces_, complex_.deaths(), points, timeline_);
+        timeline_.first_row_of_step.push_back(static_cast<std::uint32_t>(timeline_.surface.size()));
+        timeline_.first_ended_row_of_step.push_back(timeline_.ended_rows.size());
+        surface_betti_->record(step, *surface_, static_cast<std::uint32_t>(timeline_.surface.size()));
+    }
+    if (embedded_) embedded_->record(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, faces_);
+    if (options_.family == Family::Witness) {
+        const auto betti = general_betti(timeline_.simplices, 0, step, timeline_.dimension, options_.field);
+        general_.insert(general_.end(), betti.begin(), betti.end());
+    }
+    return std::nullopt;
+}
+
+void Engine::record_deaths() {
+    const auto deaths = complex_.deaths();
+    timeline_.deaths.insert(timeline_.deaths.end(), deaths.begin(), deaths.end());
+    timeline_.first_death_of_step.push_back(timeline_.deaths.size());
+}
+
+bool Engine::block_is_full() const {
+    if (options_.family == Family::Witness) return true;
+    constexpr std::uint64_t kSmallestBlock = 2048;
+    std::uint64_t live = 0;
+    if (embedded_) live += embedded_->live();
+    if (surface_betti_) live += surface_betti_->live();
+    return changes_ >= std::max(kSmallestBlock, live / 2);
+}
+
+void Engine::evaluate() {
+    const Step first = timeline_.step_count + 1;
+    const std::size_t d = timeline_.dimension;
+    std::vector<std::uint32_t> primary;
+    std::vector<std::uint32_t> surface;
+    if (embedded_) embedded_->evaluate(primary);
+    if (surface_betti_) surface_betti_->evaluate(surface);
+    if (options_.family == Family::Witness) primary.swap(general_);
+    for (Step step = first; step <= inserted(); ++step) {
+        const std::size_t at = (step - first) * d;
+        const bool shows_surface =
+            options_.family == Family::Surface || (options_.family == Family::Auto && surface[at] > 0);
+        const auto& shown = shows_surface ? surface : primary;
+        const auto begin = shown.begin() + static_cast<std::ptrdiff_t>(at);
+        timeline_.betti.insert(timeline_.betti.end(), begin, begin + static_cast<std::ptrdiff_t>(d));
+        const Family complex = options_.family == Family::Auto ? Family::Delaunay : options_.family;
+        timeline_.shown_family.push_back(shows_surface ? Family::Surface : complex);
+        timeline_.step_count = step;
+        extend_hash(step);
+    }
+    changes_ = 0;
+}
+
+// Step, landmark, bits of epsilon, births, deaths, surface rows, shown family and Betti numbers.
+void Engine::extend_hash(Step step) {
+    hash_.add_u32(step);
+    hash_.add_u32(timeline_.landmarks[step - 1]);
+    hash_.add_f64(timeline_.epsilon(step));
+    for (const SimplexTable& table : timeline_.simplices) {
+        for (SimplexIndex s = table.first_of_step[step]; s < table.first_of_step[step + 1]; ++s) {
+            for (const Step vertex : table.tuple(s)) hash_.add_u32(vertex);
+            for (int track = 0; track < timeline_.track_count; ++track) {
+                hash_.add_byte(table.death[static_cast<std::size_t>(track)][s] > step ? 1 : 0);
+            }
+        }
+    }
+    for (std::size_t i = timeline_.first_death_of_step[step]; i < timeline_.first_death_of_step[step + 1]; ++i) {
+        const Death& death = timeline_.deaths[i];
+        hash_.add_byte(death.track);
+        for (const Step vertex : timeline_.table(death.dimension).tuple(death.simplex)) hash_.add_u32(vertex);
+    }
+    if (surface_) {
+        const auto add_row = [&](std::uint32_t index) {
+            const SurfaceRow& row = timeline_.surface[index];
+            for (const Step vertex : timeline_.table(2).tuple(row.triangle)) hash_.add_u32(vertex);
+            hash_.add_byte(row.side);
+        };
+        const auto& rows = timeline_.first_row_of_step;
+        const auto& ended = timeline_.first_ended_row_of_step;
+        for (std::uint32_t row = rows[step]; row < rows[step + 1]; ++row) add_row(row);
+        for (std::size_t i = ended[step]; i < ended[step + 1]; ++i) add_row(timeline_.ended_rows[i]);
+    }
+    hash_.add_byte(static_cast<std::uint8_t>(timeline_.shown_family[step - 1]));
+    for (const std::uint32_t beta : timeline_.betti_at(step)) hash_.add_u32(beta);
+}
+
+std::uint64_t Engine::memory() const {
+    constexpr std::uint64_t kBytesPerCell = 84 + sizeof(DelaunayCell) + 24 + 20;  // CGAL's, ours, faces, complement
+    std::uint64_t bytes = static_cast<std::uint64_t>(cloud_->size()) * (40 + 12 * lists_.kappa());
+    if (delaunay_) bytes += delaunay_->cell_capacity() * kBytesPerCell;
+    bytes += complex_.memory();
+    for (const SimplexTable& table : timeline_.simplices) {
+        bytes += sizeof(Step) * (table.vertices.capacity() + table.death[0].capacity() + table.death[1].capacity());
+    }
+    bytes += timeline_.deaths.capacity() * sizeof(Death) + timeline_.surface.capacity() * sizeof(SurfaceRow);
+    if (surface_) bytes += surface_->memory() + surface_betti_->memory();
+    if (embedded_) bytes += embedded_->memory();
+    return bytes;
+}
+
+}  // namespace plateau

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/hash.h"
+#include "base/result.h"
+#include "cloud/point_cloud.h"
+#include "complex/delaunay_faces.h"
+#include "complex/nu_complex.h"
+#include "delaunay/delaunay.h"
+#include "homology/embedded_betti.h"
+#include "homology/surface_betti.h"
+#include "landmarks/landmark_lists.h"
+#include "surface/surface_tracker.h"
+#include "timeline/timeline.h"
+
+namespace plateau {
+
+/// What a run follows, with all defaults filled in.
+struct EngineOptions {
+    Family family = Family::Auto;
+    std::vector<std::vector<std::uint32_t>> nu;  ///< one sequence a track
+    double rho = 0;
+    std::uint32_t field = 2;
+};
+
+/// One insertion after the other, through every room: lists, D(L), complex, surface, and the record of it all. Betti
+/// numbers follow in blocks of steps whose length the data decide.
+class Engine {
+public:
+    /// `cloud` must outlive the engine.
+    Engine(const PointCloud& cloud, const EngineOptions& options);
+
+    /// Builds the tree over the witnesses until the deadline; true when done.
+    bool prepare(const Deadline& deadline) { return lists_.prepare(deadline); }
+
+    /// Inserts the landmark with this input index. An error leaves the steps before it intact.
+    std::optional<Error> insert(std::uint32_t input_index);
+    /// The next landmark, farthest first, after the first insertion; and the squared radius epsilon^2 now.
+    std::uint32_t farthest() const { return lists_.farthest(); }
+    double epsilon_squared() const { return lists_.farthest_distance_squared(); }
+
+    /// Whether enough has changed since the last evaluation to make the next one worth its cost.
+    bool block_is_full() const;
+    /// Betti numbers and hash of all inserted steps: afterwards timeline.step_count is the number of insertions.
+    void evaluate();
+
+    Step inserted() const { return static_cast<Step>(timeline_.landmarks.size()); }
+    const Timeline& timeline() const { return timeline_; }
+    std::uint64_t hash() const { return hash_.value(); }
+    std::uint64_t memory() const;
+
+private:
+    void record_deaths();
+    void extend_hash(Step step);
+
+    const PointCloud* cloud_;
+    EngineOptions options_;
+    Timeline timeline_;
+    LandmarkLists lists_;
+    std::optional<Delaunay> delaunay_;
+    NuComplex complex_;
+    DelaunayFaces faces_;
+    std::optional<SurfaceTracker> surface_;
+    std::optional<EmbeddedBetti> embedded_;
+    std::optional<SurfaceBetti> surface_betti_;
+    std::vector<std::uint32_t> general_;  // Betti numbers of pending steps, family witness
+    std::uint64_t changes_ = 0;           // since the last evaluation
+    Fnv1a64 hash_;
+};
+
+}  // namespace plateau

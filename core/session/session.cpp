@@ -1,0 +1,153 @@
+#include "session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "session/engine.h"
+#include "session/options.h"
+
+namespace plateau {
+
+namespace {
+
+std::string in_megabytes(std::uint64_t bytes) {
+    const std::string digits = std::to_string((bytes + (1u << 20) - 1) >> 20);
+    std::string grouped;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) grouped += ',';
+        grouped += digits[i];
+    }
+    return grouped + " MB";
+}
+
+}  // namespace
+
+struct Session::State {
+    State(PointCloud points, RunOptions run_options)
+        : cloud(std::move(points)),
+          options(std::move(run_options)),
+          engine(cloud, engine_options(options, cloud.dimension)) {}
+
+    PointCloud cloud;
+    RunOptions options;
+    Engine engine;
+    RunState state = RunState::Preparing;
+    std::optional<Error> stopped;
+    double pending_ms = 0;     // spent on steps that are not evaluated yet
+    double evaluation_ms = 0;  // cost of the last evaluation
+
+    void insert_next();
+    void evaluate();
+};
+
+Result<Session> Session::open(PointCloud cloud, const RunOptions& options) {
+    auto checked = validated(std::move(cloud));
+    if (!checked) return checked.error();
+    PointCloud points = std::move(checked).value();
+    auto complete = resolved(options, points);
+    if (!complete) return complete.error();
+    const std::uint64_t needed = estimated_memory(points.size(), points.dimension, *complete.value().family);
+    if (needed > complete.value().memory_limit) {
+        return Error{ErrorCode::OutOfMemory, std::to_string(points.size()) + " points need about " +
+                                                 in_megabytes(needed) + ", but only " +
+                                                 in_megabytes(complete.value().memory_limit) +
+                                                 " may be used: take a sample of the points, or another family."};
+    }
+    return Session(std::make_unique<State>(std::move(points), std::move(complete).value()));
+}
+
+Session::Session(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+Progress Session::run(const Budget& budget) {
+    State& s = *state_;
+    const Deadline deadline(budget.milliseconds);
+    if (s.state == RunState::Preparing && s.engine.prepare(deadline)) s.state = RunState::Running;
+
+    const Step steps_before = s.engine.timeline().step_count;
+    std::uint32_t inserted = 0;
+    double counted_ms = deadline.elapsed_ms();
+    while (s.state == RunState::Running && inserted < budget.steps) {
+        s.insert_next();
+        ++inserted;
+        const double now_ms = deadline.elapsed_ms();
+        s.pending_ms += now_ms - counted_ms;
+        counted_ms = now_ms;
+        if (s.engine.block_is_full()) s.evaluate();
+        if (deadline.passed()) break;
+    }
+    // Evaluating a block early costs as much as a whole one: under a budget of time only when the wait outweighs it.
+    const bool nothing_returned = s.engine.timeline().step_count == steps_before;
+    const bool worth_it = nothing_returned && s.pending_ms >= 4 * s.evaluation_ms;
+    if (s.state != RunState::Running || inserted == budget.steps || worth_it) s.evaluate();
+    return progress();
+}
+
+void Session::State::insert_next() {
+    const std::uint32_t next = engine.inserted() == 0 ? options.first : engine.farthest();
+    if (auto failure = engine.insert(next)) {
+        stopped = std::move(failure);
+        state = RunState::Stopped;
+        return;
+    }
+    const double epsilon_squared = engine.epsilon_squared();
+    const bool done = engine.inserted() == std::min(cloud.size(), options.max_steps) || epsilon_squared == 0 ||
+                      std::sqrt(epsilon_squared) <= options.until_epsilon;
+    if (done) {
+        state = RunState::Finished;
+    } else if (engine.memory() > options.memory_limit) {
+        stopped = Error{ErrorCode::OutOfMemory,
+                        "Stopped after " + std::to_string(engine.inserted()) + " of " + std::to_string(cloud.size()) +
+                            " points: the run holds more than " + in_megabytes(options.memory_limit) +
+                            ". On a curve in space the Delaunay triangulation grows with the square of the number of "
+                            "landmarks. All steps so far are complete."};
+        state = RunState::Stopped;
+    }
+}
+
+void Session::State::evaluate() {
+    if (engine.timeline().step_count == engine.inserted()) return;
+    const Deadline clock(0);
+    engine.evaluate();
+    evaluation_ms = clock.elapsed_ms();
+    pending_ms = 0;
+}
+
+Progress Session::progress() const {
+    const State& s = *state_;
+    const Timeline& timeline = s.engine.timeline();
+    Progress progress;
+    progress.state = s.state;
+    progress.steps_done = timeline.step_count;
+    progress.steps_planned = std::min(s.cloud.size(), s.options.max_steps);
+    progress.epsilon = timeline.step_count == 0 ? 0 : timeline.epsilon(timeline.step_count);
+    progress.stopped = s.stopped;
+    return progress;
+}
+
+const PointCloud& Session::cloud() const {
+    return state_->cloud;
+}
+const RunOptions& Session::options() const {
+    return state_->options;
+}
+const Timeline& Session::timeline() const {
+    return state_->engine.timeline();
+}
+std::uint64_t Session::hash() const {
+    return state_->engine.hash();
+}
+
+std::uint64_t estimated_memory(std::uint32_t points, std::uint32_t dimension, Family family) {
+    // Measured on tori, cubes and planar noise: bytes a point, the lists' n ln n apart.
+    const double n = points;
+    double per_point = dimension == 2 ? 900 : 1800;
+    if (family == Family::Witness) per_point = dimension == 2 ? 500 : 700;
+    if (family == Family::Auto || family == Family::Surface) per_point += 1200;
+    return static_cast<std::uint64_t>(n * (per_point + 22 * std::log(n + 1)));
+}
+
+}  // namespace plateau
