@@ -36,8 +36,8 @@ private:
         const std::string_view keyword = content.substr(0, length);
         if (length == 0) return malformed("should begin with the word OFF");
         if (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos) {
-            return Error{ErrorCode::UnsupportedDimension,
-                         "An OFF file of points in more than three dimensions (" + quoted(keyword) + ") is not read."};
+            return Error{ErrorCode::UnsupportedDimension, "An OFF file of points in more than three dimensions (" +
+                                                              in_quotes(keyword) + ") is not read."};
         }
         has_keyword_ = true;
         const std::string_view rest = trimmed(content.substr(length));

@@ -148,7 +148,7 @@ Result<PlyHeader> parse_ply_header(std::string_view bytes) {
         } else if (keyword == "property") {
             good = read_property(fields, header);
         }
-        if (!good) return malformed("of the PLY header is not understood: " + quoted(*line) + ".");
+        if (!good) return malformed("of the PLY header is not understood: " + in_quotes(*line) + ".");
     }
     return malformed("is the last, but the PLY header has no end_header.");
 }

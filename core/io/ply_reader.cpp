@@ -160,7 +160,8 @@ private:
             }
             if (value < 0) {
                 return Error{ErrorCode::MalformedInput, "Row " + std::to_string(row_ + 1) + " of element " +
-                                                            quoted(element.name) + " has a list of negative length."};
+                                                            in_quotes(element.name) +
+                                                            " has a list of negative length."};
             }
             const auto length = static_cast<std::uint64_t>(value);
             if ((bytes_.size() - position_) / byte_size(property.type) < length) return file_ends_early();
@@ -183,7 +184,7 @@ private:
     Error file_ends_early() const {
         const PlyElement& element = header_.elements[element_];
         return {ErrorCode::MalformedInput, "The PLY header promises " + std::to_string(element.count) +
-                                               " rows of element " + quoted(element.name) +
+                                               " rows of element " + in_quotes(element.name) +
                                                ", but the file ends after " + std::to_string(row_) + "."};
     }
 

@@ -50,12 +50,12 @@ std::optional<Error> RowSink::add_fields(std::span<const std::string_view> field
         const std::string_view field = fields[chosen_[axis]];
         const ParsedField parsed = parse_field(field);
         if (parsed.kind == FieldKind::NotNumber) {
-            const std::string what = field.empty() ? "an empty field" : quoted(field);
+            const std::string what = field.empty() ? "an empty field" : in_quotes(field);
             return Error{ErrorCode::MalformedInput,
                          "Line " + std::to_string(line_number) + " has " + what + " where a number should be."};
         }
         if (parsed.kind == FieldKind::NotFinite) {
-            return Error{ErrorCode::NotANumber, "Line " + std::to_string(line_number) + " has " + quoted(field) +
+            return Error{ErrorCode::NotANumber, "Line " + std::to_string(line_number) + " has " + in_quotes(field) +
                                                     ", which is not a finite number."};
         }
         point[axis] = parsed.value;

@@ -82,7 +82,7 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-std::string quoted(std::string_view field) {
+std::string in_quotes(std::string_view field) {
     constexpr std::size_t kLongest = 24;
     std::string text = "\"";
     for (const char c : field.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';

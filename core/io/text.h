@@ -54,6 +54,6 @@ std::string_view trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
 
 /// The field in quotation marks, cut and made printable: fit for a message whatever the file holds.
-std::string quoted(std::string_view field);
+std::string in_quotes(std::string_view field);
 
 }  // namespace plateau

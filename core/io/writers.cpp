@@ -139,9 +139,9 @@ std::string mesh_ply(const Session& session, std::optional<Step> step) {
     return text;
 }
 
-std::string cloud_xyz(const PointCloud& cloud) {
+std::string cloud_xyz(const PointCloud& cloud, std::uint32_t first, std::uint32_t count) {
     std::string text;
-    for (std::uint32_t k = 0; k < cloud.size(); ++k) {
+    for (std::uint32_t k = first; k < first + count; ++k) {
         const auto point = cloud.point(k);
         for (std::size_t axis = 0; axis < point.size(); ++axis) {
             text += exact(point[axis]);

@@ -27,7 +27,8 @@ std::string mesh_ply(const Session& session, std::optional<Step> step);
 /// The plateaus for a person, longest first, three significant digits; at most 20 lines of them.
 std::string plateau_table(const Session& session);
 
-/// A cloud as text, a line a point, 17 digits: reading it gives the same bits.
-std::string cloud_xyz(const PointCloud& cloud);
+/// `count` points from the 0-based index `first` as text, a line a point, 17 digits: reading it gives the same bits.
+/// Precondition: first + count <= size.
+std::string cloud_xyz(const PointCloud& cloud, std::uint32_t first, std::uint32_t count);
 
 }  // namespace plateau

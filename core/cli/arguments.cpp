@@ -1,0 +1,146 @@
+#include "cli/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <sstream>
+
+#include "io/family_name.h"
+#include "io/text.h"
+
+namespace plateau::cli {
+namespace {
+
+/// What is given as text and read here, so that the messages are our own.
+struct RawText {
+    std::string family;
+    std::string nu;
+    std::string columns;
+};
+
+Error invalid(std::string message) {
+    return {ErrorCode::InvalidOption, std::move(message)};
+}
+
+/// Whole numbers between commas.
+Result<std::vector<std::uint32_t>> parse_list(std::string_view text, const std::string& option) {
+    std::vector<std::uint32_t> numbers;
+    while (true) {
+        const std::size_t end = text.find(',');
+        const auto number = parse_count(text.substr(0, end));
+        if (!number || *number > std::numeric_limits<std::uint32_t>::max()) {
+            return invalid(option + " takes whole numbers between commas, such as 1,2,3");
+        }
+        numbers.push_back(static_cast<std::uint32_t>(*number));
+        if (end == std::string_view::npos) return numbers;
+        text.remove_prefix(end + 1);
+    }
+}
+
+std::optional<Error> complete(RunArguments& run, const RawText& raw) {
+    if (!raw.family.empty()) {
+        run.options.family = family_named(raw.family);
+        if (raw.family == "dilated") {
+            return invalid("Family dilated is not in this version; take witness, delaunay, surface or auto.");
+        }
+        if (!run.options.family) {
+            return invalid("There is no family " + in_quotes(raw.family) +
+                           "; take witness, delaunay, surface or auto.");
+        }
+    }
+    if (!raw.nu.empty()) {
+        auto nu = parse_list(raw.nu, "--nu");
+        if (!nu) return nu.error();
+        run.options.nu = std::move(nu).value();
+    }
+    if (!raw.columns.empty()) {
+        auto columns = parse_list(raw.columns, "--columns");
+        if (!columns) return columns.error();
+        run.columns = std::move(columns).value();
+    }
+    if ((run.betti == "-") + (run.plateaus == "-") + (run.mesh == "-") > 1) {
+        return invalid("Only one output can go to standard output.");
+    }
+    if (run.at && *run.at == 0) return invalid("--at 0 is out of range: steps are counted from 1.");
+    return std::nullopt;
+}
+
+void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
+    app.add_option("INPUT", run.input, "Point file (.xyz .txt .csv .ply .off .obj), - for standard input")->required();
+    app.add_option("--family", raw.family, "witness, delaunay, surface or auto [plane: delaunay, space: auto]");
+    app.add_option("--nu", raw.nu, "Ranks of the witnesses by dimension, such as 1,6,6,4 [as the family]");
+    app.add_option("--first", run.options.first, "Input index of the first landmark, from 0")->capture_default_str();
+    app.add_option("--steps", run.options.max_steps, "Most landmarks to insert [all]");
+    app.add_option("--until", run.options.until_epsilon, "Stop once epsilon is at most this, in input units");
+    app.add_option("--rho", run.options.rho, "Surface: drop triangles of a larger radius-edge ratio [off]");
+    app.add_option("--field", run.options.field, "Family witness: Betti numbers over Z/p for this prime p")
+        ->capture_default_str();
+    app.add_option("--columns", raw.columns, "Columns that are the coordinates, from 1, such as 1,2,3");
+    app.add_option("--betti", run.betti, "Write the Betti numbers of every step (CSV); - for standard output");
+    app.add_option("--plateaus", run.plateaus, "Write the plateaus (JSON); - for standard output");
+    auto* mesh = app.add_option("--mesh", run.mesh, "Write the shape of one step (PLY); - for standard output");
+    app.add_option("--at", run.at, "Step of --mesh [the middle of the longest plateau]")->needs(mesh);
+    app.add_flag("--hash", run.hash, "Print the hash of the run as the last line");
+    app.add_flag("--progress", run.progress, "Report progress also where standard error is no terminal");
+}
+
+void add_sample(CLI::App& app, SampleArguments& sample, CLI::Option*& size) {
+    app.add_option("SHAPE", sample.shape, "One of the shapes below")->required();
+    size = app.add_option("--n", sample.options.size, "Number of points [by shape]");
+    app.add_option("--noise", sample.options.noise, "Radius of a uniform ball added to each point")
+        ->capture_default_str();
+    app.add_option("--seed", sample.options.seed, "Seed of all that is random")->capture_default_str();
+    std::string footer = "Shapes:\n";
+    for (const SampleShape& shape : sample_shapes()) {
+        std::string line = "  " + std::string(shape.name);
+        line.resize(18, ' ');
+        footer += line + std::string(shape.look_for) + " [" + std::to_string(shape.default_size) + " points]\n";
+    }
+    app.footer(footer);
+}
+
+/// The parser's messages can have several lines; ours has one.
+std::string one_line(std::string text) {
+    for (char& c : text) {
+        if (c == '\n' || c == '\r') c = ' ';
+    }
+    return std::string(trimmed(text));
+}
+
+}  // namespace
+
+Result<Arguments> parse_arguments(int count, const char* const* values) {
+    RunArguments run;
+    RawText raw;
+    SampleArguments sample;
+    CLI::Option* sample_size = nullptr;
+    CLI::App app("Plateau reads a point cloud and shows, scale by scale, which shapes it may have been sampled from.",
+                 "plateau");
+    app.set_version_flag("--version", std::string("plateau ") + PLATEAU_VERSION);
+    app.require_subcommand(1);
+    CLI::App* run_app = app.add_subcommand("run", "Insert the points one by one and report the plateaus");
+    CLI::App* sample_app = app.add_subcommand("sample", "Print points of a built-in shape");
+    add_run(*run_app, run, raw);
+    add_sample(*sample_app, sample, sample_size);
+    // The parser reports by exceptions; they end here.
+    try {
+        app.parse(count, values);
+    } catch (const CLI::Success& request) {
+        std::ostringstream text;
+        app.exit(request, text, text);
+        return Arguments(TextRequest{text.str()});
+    } catch (const CLI::ParseError& error) {
+        return invalid(one_line(error.what()) + " (see plateau --help)");
+    }
+    if (run_app->parsed()) {
+        if (auto error = complete(run, raw)) return std::move(*error);
+        return Arguments(std::move(run));
+    }
+    if (sample_size->count() == 0) {
+        for (const SampleShape& shape : sample_shapes()) {
+            if (shape.name == sample.shape) sample.options.size = shape.default_size;
+        }
+    }
+    return Arguments(std::move(sample));
+}
+
+}  // namespace plateau::cli

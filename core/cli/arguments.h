@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/result.h"
+#include "cloud/samples.h"
+#include "session/session.h"
+
+namespace plateau::cli {
+
+/// `plateau run`.
+struct RunArguments {
+    std::string input;  ///< a path; "-" is standard input
+    RunOptions options;
+    std::vector<std::uint32_t> columns;  ///< 1-based; empty: as the reader decides
+    std::string betti;                   ///< a path, "-" for standard output, empty for none; likewise below
+    std::string plateaus;
+    std::string mesh;
+    std::optional<Step> at;  ///< step of the mesh
+    bool hash = false;
+    bool progress = false;  ///< also where standard error is no terminal
+};
+
+/// `plateau sample`.
+struct SampleArguments {
+    std::string shape;
+    SampleOptions options;
+};
+
+/// `--help` or `--version`: a text for standard output.
+struct TextRequest {
+    std::string text;
+};
+
+using Arguments = std::variant<RunArguments, SampleArguments, TextRequest>;
+
+/// Reads the command line. The error's message is one line.
+Result<Arguments> parse_arguments(int count, const char* const* values);
+
+}  // namespace plateau::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "base/result.h"
+#include "cli/arguments.h"
+
+namespace plateau::cli {
+
+inline constexpr int kDone = 0;
+inline constexpr int kBadInput = 2;
+inline constexpr int kInterrupted = 130;
+
+/// Reads, runs and writes; returns the exit code. An error is reported by the caller.
+Result<int> run(const RunArguments& arguments);
+
+/// Prints the sample on standard output.
+Result<int> sample(const SampleArguments& arguments);
+
+}  // namespace plateau::cli

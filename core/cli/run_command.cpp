@@ -1,0 +1,123 @@
+#include <array>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/progress_line.h"
+#include "io/cloud_reader.h"
+#include "io/writers.h"
+
+namespace plateau::cli {
+namespace {
+
+/// Long enough to work, short enough that Ctrl-C feels immediate.
+constexpr double kSliceMs = 50;
+
+std::optional<Error> check_outputs(const RunArguments& arguments) {
+    for (const std::string* path : {&arguments.betti, &arguments.plateaus, &arguments.mesh}) {
+        if (auto error = check_writable(*path)) return error;
+    }
+    return std::nullopt;
+}
+
+Error out_of_range(Step at, Step steps) {
+    return {ErrorCode::InvalidOption,
+            "--at " + std::to_string(at) + " is out of range: the run has " + std::to_string(steps) + " steps."};
+}
+
+/// Steps until the end or until the user interrupts.
+Progress run_to_end(Session& session, bool show_progress) {
+    ProgressLine line(show_progress);
+    Progress progress = session.progress();
+    while (progress.state == RunState::Preparing || progress.state == RunState::Running) {
+        if (interrupted()) {
+            // An unlimited time budget leaves no step without its Betti numbers.
+            if (progress.state == RunState::Running) progress = session.run({.steps = 1});
+            break;
+        }
+        progress = session.run({.milliseconds = kSliceMs});
+        line.show(progress);
+    }
+    return progress;
+}
+
+std::optional<Error> write_outputs(const RunArguments& arguments, const Session& session) {
+    const Step steps = session.timeline().step_count;
+    if (!arguments.betti.empty()) {
+        if (auto error = write_file(arguments.betti, betti_csv(session))) return error;
+    }
+    if (!arguments.plateaus.empty()) {
+        if (auto error = write_file(arguments.plateaus, plateaus_json(session))) return error;
+    }
+    if (!arguments.mesh.empty()) {
+        if (arguments.at && *arguments.at > steps) return out_of_range(*arguments.at, steps);
+        if (auto error = write_file(arguments.mesh, mesh_ply(session, arguments.at))) return error;
+    }
+    if (arguments.betti.empty() && arguments.plateaus.empty() && arguments.mesh.empty()) {
+        if (auto error = write_file("-", plateau_table(session))) return error;
+    }
+    if (arguments.hash) {
+        std::array<char, 32> text{};
+        std::snprintf(text.data(), text.size(), "hash %016llx\n", static_cast<unsigned long long>(session.hash()));
+        if (auto error = write_file("-", text.data())) return error;
+    }
+    return std::nullopt;
+}
+
+/// A cloud in a plane or on a line is computed as such, and the user should know.
+std::optional<std::string> degeneracy(const Timeline& timeline) {
+    if (timeline.family == Family::Witness || timeline.step_count == 0) return std::nullopt;
+    if (timeline.epsilon_squared[timeline.step_count - 1] > 0) return std::nullopt;
+    const std::uint32_t spanned = timeline.delaunay_dimension[timeline.step_count - 1];
+    if (spanned >= timeline.dimension) return std::nullopt;
+    return spanned == 1 ? "All points lie on one line." : "All points lie in one plane.";
+}
+
+void report(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) std::fprintf(stderr, "plateau: %s\n", note.c_str());
+}
+
+}  // namespace
+
+Result<int> run(const RunArguments& arguments) {
+    if (auto error = check_outputs(arguments)) return std::move(*error);
+    auto bytes = read_file(arguments.input);
+    if (!bytes) return bytes.error();
+    CloudReader reader(std::move(bytes).value(), arguments.input, {.columns = arguments.columns});
+    while (!interrupted() && !reader.advance(kSliceMs)) {
+    }
+    if (interrupted()) return kInterrupted;
+    auto read = reader.take();
+    if (!read) {
+        const std::string name = arguments.input == "-" ? "standard input" : arguments.input;
+        return Error{read.error().code, name + ": " + read.error().message};
+    }
+    std::vector<std::string> notes = std::move(read.value().warnings);
+
+    auto opened = Session::open(std::move(read.value().cloud), arguments.options);
+    if (!opened) return opened.error();
+    Session session = std::move(opened).value();
+    const Step planned = session.progress().steps_planned;
+    if (arguments.at && *arguments.at > planned) return out_of_range(*arguments.at, planned);
+
+    const Progress progress = run_to_end(session, arguments.progress);
+    const std::string place =
+        "after step " + std::to_string(progress.steps_done) + " of " + std::to_string(progress.steps_planned);
+    if (auto error = write_outputs(arguments, session)) {
+        // A mesh of a step that was not reached is the interruption's doing.
+        if (interrupted() && error->code == ErrorCode::InvalidOption) {
+            report({"Interrupted " + place + ", before the step of --at."});
+            return kInterrupted;
+        }
+        return std::move(*error);
+    }
+    if (const auto note = degeneracy(session.timeline())) notes.push_back(*note);
+    if (progress.stopped) notes.push_back("Stopped " + place + ": " + progress.stopped->message);
+    if (interrupted()) notes.push_back("Interrupted " + place + ".");
+    report(notes);
+    return interrupted() ? kInterrupted : kDone;
+}
+
+}  // namespace plateau::cli
