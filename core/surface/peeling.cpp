@@ -1,5 +1,7 @@
 #include "surface/peeling.h"
 
+#include <algorithm>
+
 #include "delaunay/predicates.h"
 
 namespace plateau {
@@ -10,42 +12,30 @@ void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const N
     now_ = step;
     touched_.clear();
     first_.resize(context.edges.size(), kEnd);
-    state_.resize(context.triangles.size(), State::Absent);
-    next_.resize(3 * state_.size(), kEnd);
-    was_kept_.resize(state_.size(), 0);
-    touched_at_.resize(state_.size(), 0);
-    doomed_at_.resize(state_.size(), 0);
-    asked_at_.resize(state_.size(), 0);
+    const std::size_t count = context.triangles.size();
+    round_.resize(count, kForever);
+    present_.resize(count, 0);
+    next_.resize(3 * count, kEnd);
+    was_kept_.resize(count, 0);
+    touched_at_.resize(count, 0);
+    in_doubt_.resize(count, 0);
 
-    std::vector<SimplexIndex> queue;
+    std::vector<SimplexIndex> edges;
     for (const Death& death : deaths) {
-        if (death.track != 0 || death.dimension != 2 || state_[death.simplex] == State::Absent) continue;
-        if (state_[death.simplex] == State::Kept) {
-            for (const SimplexIndex edge : complex.facets(2, death.simplex)) queue.push_back(edge);
+        if (death.track != 0 || death.dimension != 2 || present_[death.simplex] == 0) continue;
+        if (kept(death.simplex)) {
+            for (const SimplexIndex edge : complex.facets(2, death.simplex)) edges.push_back(edge);
         }
-        set_state(death.simplex, State::Absent);
+        touch(death.simplex);
+        present_[death.simplex] = 0;
     }
-    peel(queue, context);
+    peel(edges, context);
 
-    std::vector<SimplexIndex> seeds;
     const SimplexIndex first_new = all ? 0 : context.triangles.first_of_step[step];
     for (SimplexIndex triangle = first_new; triangle < context.triangles.size(); ++triangle) {
-        if (!context.triangles.lives(triangle, 0, step) || !ratio_allowed(triangle, context)) continue;
-        admit(triangle, context);
-        seeds.push_back(triangle);
+        if (context.triangles.lives(triangle, 0, step) && ratio_allowed(triangle, context)) admit(triangle, context);
     }
-    for (std::size_t i = 0; i < seeds.size(); ++i) revive(seeds[i], context, seeds);
     report_changes();
-}
-
-void Peeling::admit(SimplexIndex triangle, const Context& context) {
-    set_state(triangle, State::Peeled);
-    const auto edges = context.complex.facets(2, triangle);
-    for (std::uint32_t corner = 0; corner < 3; ++corner) {
-        const std::uint32_t link = 3 * triangle + corner;
-        next_[link] = first_[edges[corner]];
-        first_[edges[corner]] = link;
-    }
 }
 
 // R / (shortest edge) <= rho, squared and without a division: R = |a||b||c| / (2 |a x b|).
@@ -69,17 +59,17 @@ bool Peeling::ratio_allowed(SimplexIndex triangle, const Context& context) const
     return pq * pr * qr <= 4 * rho_ * rho_ * shortest * cross_squared;
 }
 
-template <class Include>
-bool Peeling::sharp(SimplexIndex edge, const Context& context, const Include& include) {
+// Whether all triangles at the edge, of this round and later, fit in a wedge of at most pi/2. None or one do.
+bool Peeling::sharp(SimplexIndex edge, Round from, const Context& context) {
     third_.clear();
     std::uint32_t* link = &first_[edge];
     while (*link != kEnd) {
         const SimplexIndex triangle = *link / 3;
-        if (state_[triangle] == State::Absent) {
+        if (present_[triangle] == 0) {
             *link = next_[*link];
             continue;
         }
-        if (include(triangle)) third_.push_back(context.triangles.tuple(triangle)[*link % 3]);
+        if (round_[triangle] >= from) third_.push_back(context.triangles.tuple(triangle)[*link % 3]);
         link = &next_[*link];
     }
     const auto ends = context.edges.tuple(edge);
@@ -93,93 +83,121 @@ bool Peeling::sharp(SimplexIndex edge, const Context& context, const Include& in
     return true;
 }
 
-void Peeling::peel(std::vector<SimplexIndex>& queue, const Context& context) {
+// Removes from K what hangs on sharp edges, from the given edges on; each edge is a round of its own, the latest so
+// far.
+void Peeling::peel(std::vector<SimplexIndex>& edges, const Context& context) {
+    while (!edges.empty()) {
+        const SimplexIndex edge = edges.back();
+        edges.pop_back();
+        if (!sharp(edge, kForever, context)) continue;
+        ++last_round_;
+        for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
+            const SimplexIndex triangle = link / 3;
+            if (!kept(triangle)) continue;
+            set_round(triangle, last_round_);
+            for (const SimplexIndex other : context.complex.facets(2, triangle)) edges.push_back(other);
+        }
+    }
+}
+
+void Peeling::admit(SimplexIndex triangle, const Context& context) {
+    touch(triangle);
+    present_[triangle] = 1;
+    ++admission_;
+    const auto edges = context.complex.facets(2, triangle);
+    bool certified = false;
+    Round earliest = kForever;
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t link = 3 * triangle + corner;
+        next_[link] = first_[edges[corner]];
+        first_[edges[corner]] = link;
+        certified = certified || sharp(edges[corner], kBeforeAll, context);
+        for (std::uint32_t other = next_[link]; other != kEnd; other = next_[other]) {
+            if (present_[other / 3] != 0) earliest = std::min(earliest, round_[other / 3]);
+        }
+    }
+    if (certified) {  // before all its neighbors, where nobody's certificate counts it
+        set_round(triangle, earliest == kForever ? last_round_ : earliest - 1);
+        return;
+    }
+    Queue queue;
+    doubt(triangle, kBeforeAll, queue, context);
     while (!queue.empty()) {
-        const SimplexIndex edge = queue.back();
-        queue.pop_back();
-        if (!sharp(edge, context, [&](SimplexIndex t) { return state_[t] == State::Kept; })) continue;
-        for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
-            const SimplexIndex triangle = link / 3;
-            if (state_[triangle] != State::Kept) continue;
-            set_state(triangle, State::Peeled);
-            for (const SimplexIndex other : context.complex.facets(2, triangle)) queue.push_back(other);
+        const Event event = queue.top();
+        queue.pop();
+        if (round_[event.triangle] != event.round) continue;
+        if (event.phase == Event::Check) {
+            check(event, queue, context);
+        } else {
+            pass(event, queue, context);
         }
     }
 }
 
-// Tries to keep `seed` together with the peeled triangles that its edges ask for. What is doomed here has an edge that
-// is sharp among all that could be kept, so it stays doomed for the rest of the step.
-void Peeling::revive(SimplexIndex seed, const Context& context, std::vector<SimplexIndex>& seeds) {
-    if (state_[seed] != State::Peeled || doomed_at_[seed] == now_) return;
-    const std::uint32_t search = ++search_;
-    const auto asked = [&](SimplexIndex t) { return asked_at_[t] == search && doomed_at_[t] != now_; };
-    std::vector<SimplexIndex> group;
-    std::vector<SimplexIndex> queue;
-    const auto ask = [&](SimplexIndex triangle) {
-        asked_at_[triangle] = search;
-        group.push_back(triangle);
-        for (const SimplexIndex edge : context.complex.facets(2, triangle)) queue.push_back(edge);
-    };
-    ask(seed);
-    while (!queue.empty() && doomed_at_[seed] != now_) {
-        const SimplexIndex edge = queue.back();
-        queue.pop_back();
-        if (!sharp(edge, context, [&](SimplexIndex t) { return state_[t] == State::Kept || asked(t); })) continue;
-        bool grew = false;
+// Takes the triangle as kept until a certificate is found; those of its neighbors from that round on may count it now.
+void Peeling::doubt(SimplexIndex triangle, Round from, Queue& queue, const Context& context) {
+    set_round(triangle, kForever);
+    in_doubt_[triangle] = admission_;
+    for (const SimplexIndex edge : context.complex.facets(2, triangle)) {
         for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
-            const SimplexIndex triangle = link / 3;
-            const bool fresh = state_[triangle] == State::Peeled && asked_at_[triangle] != search;
-            if (!fresh || doomed_at_[triangle] == now_) continue;
-            ask(triangle);
-            grew = true;
-        }
-        if (grew) {
-            queue.push_back(edge);
-            continue;
-        }
-        for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
-            const SimplexIndex triangle = link / 3;
-            if (!asked(triangle)) continue;
-            doomed_at_[triangle] = now_;
-            for (const SimplexIndex other : context.complex.facets(2, triangle)) queue.push_back(other);
-        }
-    }
-    if (doomed_at_[seed] == now_) return;
-    for (const SimplexIndex triangle : group) {
-        if (doomed_at_[triangle] != now_) set_state(triangle, State::Kept);
-    }
-    for (const SimplexIndex triangle : group) {
-        if (state_[triangle] != State::Kept) continue;
-        for (const SimplexIndex edge : context.complex.facets(2, triangle)) {
-            for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
-                const SimplexIndex neighbor = link / 3;
-                if (state_[neighbor] == State::Peeled && doomed_at_[neighbor] != now_) seeds.push_back(neighbor);
-            }
+            const SimplexIndex neighbor = link / 3;
+            const bool concerned = present_[neighbor] != 0 && round_[neighbor] != kForever && round_[neighbor] >= from;
+            if (concerned) queue.push({round_[neighbor], Event::Check, neighbor});
         }
     }
 }
 
-void Peeling::set_state(SimplexIndex triangle, State state) {
-    if (touched_at_[triangle] != now_) {
-        touched_at_[triangle] = now_;
-        was_kept_[triangle] = state_[triangle] == State::Kept ? 1 : 0;
-        touched_.push_back(triangle);
+void Peeling::check(const Event& event, Queue& queue, const Context& context) {
+    for (const SimplexIndex edge : context.complex.facets(2, event.triangle)) {
+        if (!sharp(edge, event.round, context)) continue;
+        queue.push({event.round, Event::Pass, event.triangle});
+        return;
     }
-    state_[triangle] = state;
+    doubt(event.triangle, event.round, queue, context);
+}
+
+// The triangle is gone after its round: edges that it leaves may certify what is in doubt.
+void Peeling::pass(const Event& event, Queue& queue, const Context& context) {
+    const Round later = event.round + 1;
+    for (const SimplexIndex edge : context.complex.facets(2, event.triangle)) {
+        bool doubtful = false;
+        for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
+            doubtful = doubtful || (kept(link / 3) && in_doubt_[link / 3] == admission_);
+        }
+        if (!doubtful || !sharp(edge, later, context)) continue;
+        for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
+            const SimplexIndex neighbor = link / 3;
+            if (!kept(neighbor) || in_doubt_[neighbor] != admission_) continue;
+            set_round(neighbor, later);
+            queue.push({later, Event::Pass, neighbor});
+        }
+    }
+}
+
+void Peeling::touch(SimplexIndex triangle) {
+    if (touched_at_[triangle] == now_) return;
+    touched_at_[triangle] = now_;
+    was_kept_[triangle] = kept(triangle) ? 1 : 0;
+    touched_.push_back(triangle);
+}
+
+void Peeling::set_round(SimplexIndex triangle, Round round) {
+    touch(triangle);
+    round_[triangle] = round;
+    if (round != kForever) last_round_ = std::max(last_round_, round);
 }
 
 void Peeling::report_changes() {
     entered_.clear();
     left_.clear();
     for (const SimplexIndex triangle : touched_) {
-        const bool is_kept = state_[triangle] == State::Kept;
-        if (is_kept && was_kept_[triangle] == 0) entered_.push_back(triangle);
-        if (!is_kept && was_kept_[triangle] != 0) left_.push_back(triangle);
+        if (kept(triangle) && was_kept_[triangle] == 0) entered_.push_back(triangle);
+        if (!kept(triangle) && was_kept_[triangle] != 0) left_.push_back(triangle);
     }
 }
 
 std::uint64_t Peeling::memory() const {
-    return state_.capacity() * (2 * sizeof(State) + 3 * sizeof(Step)) +
+    return round_.capacity() * (sizeof(Round) + 2 + sizeof(Step) + sizeof(std::uint32_t)) +
            (first_.capacity() + next_.capacity()) * sizeof(std::uint32_t);
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
 #include <span>
 #include <vector>
 
@@ -14,8 +17,10 @@ namespace plateau {
 /// too large a radius-edge ratio, the largest set K in which no edge is sharp. An edge is sharp if its triangles fit in
 /// a wedge of at most pi/2, a single triangle included; K is unique because a sharp edge stays sharp when triangles go.
 ///
-/// Deaths peel from their edges on. A birth can revive only triangles that are connected to it by edges, so the search
-/// starts there and asks for a peeled neighbor only where an edge would be sharp without it.
+/// Every triangle has a round: infinite in K, and else such that one of its edges is sharp among the triangles of its
+/// own and later rounds. That certifies that it is not in K, and deaths cannot spoil it. A birth can: the triangles
+/// around it are checked again in the order of their rounds, and only where a certificate fails the search goes on (as
+/// in the maintenance of k-cores by their peeling order).
 class Peeling {
 public:
     /// `rho`: largest radius-edge ratio allowed; 0 allows all. Follows track 0.
@@ -25,7 +30,9 @@ public:
     void update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex,
                 std::span<const Death> deaths, const LandmarkPoints& points, bool all);
 
-    bool kept(SimplexIndex triangle) const { return triangle < state_.size() && state_[triangle] == State::Kept; }
+    bool kept(SimplexIndex triangle) const {
+        return triangle < round_.size() && present_[triangle] != 0 && round_[triangle] == kForever;
+    }
     /// Triangles that entered or left K at the last step, net.
     std::span<const SimplexIndex> entered() const { return entered_; }
     std::span<const SimplexIndex> left() const { return left_; }
@@ -35,41 +42,59 @@ public:
     template <class Use>
     void for_each_kept_at(SimplexIndex edge, const Use& use) const {
         for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
-            if (state_[link / 3] == State::Kept) use(link / 3, link % 3);
+            if (kept(link / 3)) use(link / 3, link % 3);
         }
     }
     std::uint64_t memory() const;
 
 private:
+    using Round = std::int64_t;
+    static constexpr Round kForever = std::numeric_limits<Round>::max();
+    static constexpr Round kBeforeAll = std::numeric_limits<Round>::min();
     static constexpr std::uint32_t kEnd = 0xFFFFFFFFu;
-    enum class State : std::uint8_t { Absent, Peeled, Kept };
     struct Context {
         const SimplexTable& edges;
         const SimplexTable& triangles;
         const NuComplex& complex;
         const LandmarkPoints& points;
     };
+    /// First all certificates of a round are checked, then what was in doubt is tried without that round.
+    struct Event {
+        Round round = 0;
+        enum Phase : std::uint8_t { Check, Pass } phase = Check;
+        SimplexIndex triangle = 0;
+        bool operator>(const Event& other) const {
+            if (round != other.round) return round > other.round;
+            return phase != other.phase ? phase > other.phase : triangle > other.triangle;
+        }
+    };
+    using Queue = std::priority_queue<Event, std::vector<Event>, std::greater<>>;
 
-    void admit(SimplexIndex triangle, const Context& context);
     bool ratio_allowed(SimplexIndex triangle, const Context& context) const;
-    void peel(std::vector<SimplexIndex>& queue, const Context& context);
-    void revive(SimplexIndex seed, const Context& context, std::vector<SimplexIndex>& seeds);
-    template <class Include>
-    bool sharp(SimplexIndex edge, const Context& context, const Include& include);
-    void set_state(SimplexIndex triangle, State state);
+    void peel(std::vector<SimplexIndex>& edges, const Context& context);
+    void admit(SimplexIndex triangle, const Context& context);
+    void doubt(SimplexIndex triangle, Round from, Queue& queue, const Context& context);
+    void check(const Event& event, Queue& queue, const Context& context);
+    void pass(const Event& event, Queue& queue, const Context& context);
+    bool sharp(SimplexIndex edge, Round from, const Context& context);
+    void set_round(SimplexIndex triangle, Round round);
+    void touch(SimplexIndex triangle);
     void report_changes();
 
     double rho_;
-    std::vector<State> state_;          // by triangle
-    std::vector<std::uint32_t> first_;  // by edge: list of links, link = 3 * triangle + corner off the edge
-    std::vector<std::uint32_t> next_;   // by link
+    std::vector<Round> round_;           // by triangle
+    std::vector<std::uint8_t> present_;  // by triangle: lives and is allowed
+    std::vector<std::uint32_t> first_;   // by edge: list of links, link = 3 * triangle + corner off the edge
+    std::vector<std::uint32_t> next_;    // by link
+    Round last_round_ = 0;               // the largest finite one
     std::vector<SimplexIndex> entered_, left_;
 
-    std::vector<std::uint8_t> was_kept_;  // by triangle, for those touched at this step
-    std::vector<Step> touched_at_, doomed_at_, asked_at_;
+    std::vector<std::uint8_t> was_kept_;   // by triangle, for those touched at this step
+    std::vector<Step> touched_at_;         // by triangle
+    std::vector<std::uint32_t> in_doubt_;  // by triangle: number of the admission that doubts it
     std::vector<SimplexIndex> touched_;
     Step now_ = 0;
-    std::uint32_t search_ = 0;
+    std::uint32_t admission_ = 0;
     std::vector<Step> third_;  // scratch of sharp()
 };
 
