@@ -242,7 +242,7 @@ std::vector<TestCloud> plane_clouds() {
         {"plane_circle_noise", in_plane(circle(60, 3, 0.08))},
         {"plane_two_circles", in_plane(joined(circle(30, 4, 0.02), placed(circle(30, 5, 0.02), 0.5, {1.8, 0.3, 0})))},
         {"plane_circle_large", in_plane(joined(circle(120, 6, 0.05), placed(circle(60, 7, 0.05), 0.4, {0, 0, 0})))},
-        {"plane_cocircular", in_plane(joined(integer_sphere(4225, 0), {{0, 0, 0}}))},
+        {"plane_cocircular", in_plane(integer_sphere(4225, 0))},
         {"plane_grid", in_plane(grid({7, 7, 1}, 1))},
         {"plane_grid_tenth", in_plane(grid({6, 8, 1}, 0.1))},
         {"plane_lattice", in_plane(lattice(60, 8, {9, 7, 1}))},
@@ -274,8 +274,9 @@ std::vector<TestCloud> flat_clouds_in_space() {
         {"coplanar_circle_skew", in_space(tilted(integer_sphere(4225, 0)))},
         {"rising_from_plane", in_space(almost_flat)},
         {"rising_from_skew_plane", in_space(tilted(joined(sheet, {{2.125, 2.25, 1e-3}})))},
+        // The points beside the line lie next to its first one, so they come last.
         {"rising_twice",
-         in_space(joined(grid({12, 1, 1}, 2), {{11.5, 0.5, 0}, {3.5, 0.25, 0}, {6.5, 0, 0.125}, {9, 0.0625, 0.0625}}))},
+         in_space(joined(grid({14, 1, 1}, 2), {{0.25, 0.125, 0}, {0.125, 0, 0.0625}, {0, 0.0625, 0.0625}}))},
         {"slab", in_space(uniform(50, 22, {1, 1, 0.001}))},
     };
 }
@@ -308,7 +309,9 @@ std::vector<TestCloud> shapes_in_space() {
         {"two_spheres", in_space(joined(sphere(30, 44), placed(sphere(30, 45), 0.8, {2.5, 0.3, 0.1})))},
         {"shells_large", in_space(joined(sphere(90, 46), placed(sphere(40, 47), 0.4, {0, 0, 0})))},
         {"nested_octahedra", in_space(joined(placed(octahedron(), 4, {0, 0, 0}), octahedron()))},
-        {"torus_with_disk_large", in_space(torus_with_disk(150, 48))},
+        {"torus_dense", in_space(torus(700, 52, 0.4)), 110},
+        {"torus_with_disk_dense", in_space(torus_with_disk(900, 48)), 120},
+        {"helix_dense", in_space(helix(600, 9)), 120},
         {"touching_at_vertex", in_space(joined(stretched(icosahedron(), {1, 1, 1}),
                                                placed(icosahedron(), 1, {0, 2, 2 * (1 + std::sqrt(5.0)) / 2})))},
         {"touching_at_edge", in_space(joined(icosahedron(), placed(icosahedron(), 1, {0, 0, 1 + std::sqrt(5.0)})))},
@@ -327,7 +330,8 @@ std::ostream& operator<<(std::ostream& out, const TestCloud& cloud) {
 
 std::vector<TestCloud> test_clouds() {
     std::vector<TestCloud> clouds;
-    for (const auto& part : {plane_clouds(), flat_clouds_in_space(), tied_clouds_in_space(), shapes_in_space()}) {
+    for (const std::vector<TestCloud>& part :
+         {plane_clouds(), flat_clouds_in_space(), tied_clouds_in_space(), shapes_in_space()}) {
         clouds.insert(clouds.end(), part.begin(), part.end());
     }
     return clouds;

@@ -16,7 +16,7 @@ class DelaunayReference : public testing::TestWithParam<TestCloud> {};
 
 TEST_P(DelaunayReference, HasEmptySpheresAndNoMemory) {
     const PointCloud& cloud = GetParam().cloud;
-    Reference reference(cloud);
+    Reference reference(cloud, 0, GetParam().max_steps);
     const auto& landmarks = reference.order().landmarks;
     const int all = reference.step_count();
     for (int step = 1; step <= all; ++step) {
@@ -55,7 +55,7 @@ std::set<Simplex> finite_cells(const Delaunay& triangulation) {
 
 TEST_P(DelaunayReference, EqualsTheIncrementalTriangulation) {
     const PointCloud& cloud = GetParam().cloud;
-    Reference reference(cloud);
+    Reference reference(cloud, 0, GetParam().max_steps);
     Delaunay engine(cloud.dimension);
     for (int step = 1; step <= reference.step_count(); ++step) {
         SCOPED_TRACE("step " + std::to_string(step));

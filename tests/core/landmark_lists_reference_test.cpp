@@ -45,7 +45,7 @@ std::string insertion_difference(LandmarkLists& lists, int landmark, int step,
 TEST_P(LandmarkListsReference, HoldsTheNearestLandmarksAtEveryStep) {
     const PointCloud& cloud = GetParam().cloud;
     for (const int first : {0, static_cast<int>(cloud.size()) - 1}) {
-        const reference::FarthestOrder order = reference::farthest_point_order(cloud, first);
+        const reference::FarthestOrder order = reference::farthest_point_order(cloud, first, GetParam().max_steps);
         std::vector<LandmarkLists> all;
         for (const std::uint32_t kappa : {1u, 2u, 6u, 9u}) {
             all.emplace_back(cloud, kappa);

@@ -167,8 +167,9 @@ std::string plateau_difference(const std::vector<Plateau>& engine, const std::ve
     return "";
 }
 
-RunOptions options_of(const Settings& settings, int first) {
+RunOptions options_of(const Settings& settings, int first, int max_steps) {
     RunOptions options;
+    options.max_steps = static_cast<std::uint32_t>(max_steps);
     options.family = family_of(settings.family);
     options.nu.assign(settings.nu.begin(), settings.nu.end());
     options.first = static_cast<std::uint32_t>(first);
@@ -183,8 +184,9 @@ bool compared(int step, int steps) {
 }
 
 /// Runs the engine and compares what it recorded; empty or the first difference with its step.
-std::string run_difference(const PointCloud& cloud, Reference& expected, const Settings& settings, int first = 0) {
-    auto opened = Session::open(cloud, options_of(settings, first));
+std::string run_difference(const PointCloud& cloud, Reference& expected, const Settings& settings, int first = 0,
+                           int max_steps = reference::kAllSteps) {
+    auto opened = Session::open(cloud, options_of(settings, first, max_steps));
     if (!opened) return "refused: " + opened.error().message;
     Session session = std::move(opened).value();
     const Progress progress = session.run({});
@@ -232,7 +234,7 @@ class SessionReference : public testing::TestWithParam<Case> {};
 
 TEST_P(SessionReference, AgreesAtEveryStep) {
     const auto& [cloud, family] = GetParam();
-    Reference expected(cloud.cloud);
+    Reference expected(cloud.cloud, 0, cloud.max_steps);
     const int dimension = static_cast<int>(cloud.cloud.dimension);
     std::set<std::vector<int>> sequences = {reference::default_nu(family, dimension)};
     for (std::vector<int> nu : {std::vector{1, 2, 3, 4}, {1, 6, 6, 4}, {1, 3, 4, 5}, {1, 4, 2, 3}}) {
@@ -240,7 +242,7 @@ TEST_P(SessionReference, AgreesAtEveryStep) {
         sequences.insert(nu);
     }
     for (const std::vector<int>& nu : sequences) {
-        EXPECT_EQ(run_difference(cloud.cloud, expected, {family, nu}), "")
+        EXPECT_EQ(run_difference(cloud.cloud, expected, {family, nu}, 0, cloud.max_steps), "")
             << cloud.name << ", " << name_of(family) << ", nu " << joined(nu);
     }
 }
@@ -321,6 +323,7 @@ TEST(SessionReferenceBudget, HashDoesNotDependOnIt) {
             if (cloud.cloud.dimension == 2 && family == Family::Auto) continue;
             RunOptions options;
             options.family = family;
+            options.max_steps = static_cast<std::uint32_t>(cloud.max_steps);
             std::vector<std::uint64_t> hashes;
             for (const Budget budget : {Budget{}, Budget{.steps = 1}, Budget{.milliseconds = 1}, Budget{.steps = 7}}) {
                 Session session = Session::open(cloud.cloud, options).value();

@@ -8,9 +8,9 @@
 
 namespace plateau::reference {
 
-Reference::Reference(PointCloud cloud, int first)
+Reference::Reference(PointCloud cloud, int first, int max_steps)
     : cloud_(std::move(cloud)),
-      order_(farthest_point_order(cloud_, first)),
+      order_(farthest_point_order(cloud_, first, max_steps)),
       points_(exact_points(cloud_, order_.landmarks)) {}
 
 const Triangulation& Reference::triangulation(int step) {

@@ -33,7 +33,7 @@ struct StepState {
 /// A cloud with its farthest-point order; triangulations are kept because they depend on the step alone.
 class Reference {
 public:
-    explicit Reference(PointCloud cloud, int first = 0);
+    explicit Reference(PointCloud cloud, int first = 0, int max_steps = kAllSteps);
 
     int step_count() const { return static_cast<int>(order_.landmarks.size()); }
     const FarthestOrder& order() const { return order_; }

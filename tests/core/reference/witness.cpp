@@ -19,7 +19,7 @@ double distance_between(const PointCloud& cloud, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-FarthestOrder farthest_point_order(const PointCloud& cloud, int first) {
+FarthestOrder farthest_point_order(const PointCloud& cloud, int first, int max_steps) {
     const std::size_t n = cloud.coordinates.size() / cloud.dimension;
     FarthestOrder order;
     std::size_t next = static_cast<std::size_t>(first);
@@ -37,7 +37,7 @@ FarthestOrder farthest_point_order(const PointCloud& cloud, int first) {
             }
         }
         order.epsilon_squared.push_back(epsilon_squared);
-    } while (order.epsilon_squared.back() > 0);
+    } while (order.epsilon_squared.back() > 0 && static_cast<int>(order.landmarks.size()) < max_steps);
     return order;
 }
 

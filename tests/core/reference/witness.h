@@ -7,14 +7,17 @@
 
 namespace plateau::reference {
 
-/// Landmarks (0-based input indices) and epsilon squared, both in step order, until epsilon is 0.
+/// Landmarks (0-based input indices) and epsilon squared, both in step order.
 struct FarthestOrder {
     std::vector<int> landmarks;
     std::vector<double> epsilon_squared;
 };
 
-/// Farthest-point order that starts with `first`; equal farthest witnesses: the lowest input index.
-FarthestOrder farthest_point_order(const PointCloud& cloud, int first);
+inline constexpr int kAllSteps = 1000000;
+
+/// Farthest-point order that starts with `first`, until epsilon is 0 or `max_steps` are done; equal farthest witnesses:
+/// the lowest input index.
+FarthestOrder farthest_point_order(const PointCloud& cloud, int first, int max_steps = kAllSteps);
 
 /// For every witness the steps 1 .. step, nearest first; equal distances: the earlier step.
 std::vector<std::vector<int>> landmark_lists(const PointCloud& cloud, const FarthestOrder& order, int step);
