@@ -31,10 +31,12 @@ void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const N
     }
     peel(edges, context);
 
+    std::vector<SimplexIndex> born;
     const SimplexIndex first_new = all ? 0 : context.triangles.first_of_step[step];
     for (SimplexIndex triangle = first_new; triangle < context.triangles.size(); ++triangle) {
-        if (context.triangles.lives(triangle, 0, step) && ratio_allowed(triangle, context)) admit(triangle, context);
+        if (context.triangles.lives(triangle, 0, step) && ratio_allowed(triangle, context)) born.push_back(triangle);
     }
+    admit(born, context);
     report_changes();
 }
 
@@ -100,28 +102,22 @@ void Peeling::peel(std::vector<SimplexIndex>& edges, const Context& context) {
     }
 }
 
-void Peeling::admit(SimplexIndex triangle, const Context& context) {
-    touch(triangle);
-    present_[triangle] = 1;
+void Peeling::admit(std::span<const SimplexIndex> born, const Context& context) {
+    if (born.empty()) return;
     ++admission_;
-    const auto edges = context.complex.facets(2, triangle);
-    bool certified = false;
-    Round earliest = kForever;
-    for (std::uint32_t corner = 0; corner < 3; ++corner) {
-        const std::uint32_t link = 3 * triangle + corner;
-        next_[link] = first_[edges[corner]];
-        first_[edges[corner]] = link;
-        certified = certified || sharp(edges[corner], kBeforeAll, context);
-        for (std::uint32_t other = next_[link]; other != kEnd; other = next_[other]) {
-            if (present_[other / 3] != 0) earliest = std::min(earliest, round_[other / 3]);
+    for (const SimplexIndex triangle : born) {
+        touch(triangle);
+        present_[triangle] = 1;
+        const auto edges = context.complex.facets(2, triangle);
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t link = 3 * triangle + corner;
+            next_[link] = first_[edges[corner]];
+            first_[edges[corner]] = link;
         }
     }
-    if (certified) {  // before all its neighbors, where nobody's certificate counts it
-        set_round(triangle, earliest == kForever ? last_round_ : earliest - 1);
-        return;
-    }
     Queue queue;
-    doubt(triangle, kBeforeAll, queue, context);
+    for (const SimplexIndex triangle : born) doubt(triangle, kBeforeAll, queue, context);
+    for (const SimplexIndex triangle : born) pass({kBeforeAll, Event::Pass, triangle}, queue, context);
     while (!queue.empty()) {
         const Event event = queue.top();
         queue.pop();

@@ -72,7 +72,7 @@ private:
 
     bool ratio_allowed(SimplexIndex triangle, const Context& context) const;
     void peel(std::vector<SimplexIndex>& edges, const Context& context);
-    void admit(SimplexIndex triangle, const Context& context);
+    void admit(std::span<const SimplexIndex> born, const Context& context);
     void doubt(SimplexIndex triangle, Round from, Queue& queue, const Context& context);
     void check(const Event& event, Queue& queue, const Context& context);
     void pass(const Event& event, Queue& queue, const Context& context);
