@@ -1,4 +1,5 @@
 import { cardWords, type PlateauCard } from '../model/plateau-cards.ts';
+import type { StepSummary } from '../model/record.ts';
 
 const NONE_YET = 'The first plateaus appear here while the run goes on.';
 const NONE =
@@ -32,10 +33,11 @@ export class CardList {
     this.buttons[focused]?.focus();
   }
 
-  /** Marks the card that the step lies in. */
-  mark(step: number): void {
+  /** Marks the card whose shape the step shows. */
+  mark({ step, family, betti }: StepSummary): void {
     this.cards.forEach((card, i) => {
-      const here = card.firstStep <= step && step <= card.lastStep;
+      const within = card.firstStep <= step && step <= card.lastStep;
+      const here = within && card.family === family && card.betti.join() === betti.join();
       if (here) this.buttons[i]?.setAttribute('aria-current', 'step');
       else this.buttons[i]?.removeAttribute('aria-current');
     });

@@ -249,7 +249,7 @@ export class Page {
     this.cards = cards;
     this.diagram.setCards(cards);
     this.cardList.show(cards, record.state === 'finished' || record.state === 'stopped');
-    this.cardList.mark(this.step);
+    if (this.step > 0) this.cardList.mark(record.summary(this.step));
   }
 
   private ended(stopped: Failure | undefined): void {
@@ -286,7 +286,7 @@ export class Page {
     this.shape?.showStep(step);
     this.diagram.showStep(step);
     this.transport.showStep(summary);
-    this.cardList.mark(step);
+    this.cardList.mark(summary);
     this.status.show(record, summary, this.playing || this.arrival === 'answer');
     this.root.dataset['step'] = String(step);
     this.root.dataset['family'] = summary.family;

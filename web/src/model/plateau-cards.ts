@@ -15,7 +15,6 @@ export interface PlateauCard {
   /** Where to look at it: always a step that shows it. */
   readonly middleStep: number;
   readonly epsilonFirst: number;
-  readonly epsilonLast: number;
   /** ln(ε⁺(first) / ε⁺(last + 1)). */
   readonly length: number;
   readonly family: ShownFamily;
@@ -42,7 +41,6 @@ function runsOf(plateaus: Plateaus, dimension: number): Run[] {
       lastStep: plateaus.lastStep[i] ?? 0,
       middleStep: plateaus.middleStep[i] ?? 0,
       epsilonFirst,
-      epsilonLast: plateaus.epsilonLast[i] ?? 0,
       length,
       family: shownFamilyName(plateaus.family[i] ?? 1),
       betti: [...plateaus.betti.subarray(i * dimension, (i + 1) * dimension)],
@@ -63,7 +61,6 @@ function joined(a: Run, b: Run): Run {
   const card: PlateauCard = {
     ...a.card,
     lastStep: b.card.lastStep,
-    epsilonLast: b.card.epsilonLast,
     middleStep: longer.middleStep,
     length: b.end - a.start,
     runs: a.card.runs + b.card.runs,
@@ -109,7 +106,8 @@ export function cardWords(card: PlateauCard): CardWords {
   return {
     shape: shapeInWords(card.family, card.betti),
     counts: bettiInWords(card.betti),
-    scale: scaleInWords(card.epsilonFirst, card.epsilonLast),
+    // Where it ends is where the next shape begins, as its band in the diagram.
+    scale: scaleInWords(card.epsilonFirst, card.epsilonFirst * Math.exp(-card.length)),
     family: card.runs === 1 ? card.family : `${card.family} · ${card.runs} runs joined`,
   };
 }

@@ -51,6 +51,6 @@ export function shapeInWords(family: ShownFamily, betti: readonly number[]): str
 }
 
 /** "ε 0.43 → 0.16". */
-export function scaleInWords(epsilonFirst: number, epsilonLast: number): string {
-  return `ε ${readable(epsilonFirst)} → ${readable(epsilonLast)}`;
+export function scaleInWords(epsilonFrom: number, epsilonTo: number): string {
+  return `ε ${readable(epsilonFrom)} → ${readable(epsilonTo)}`;
 }

@@ -167,7 +167,9 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
     bands,
     columns: scaleTicks(axis, frame.right - frame.left).map((value) => ({
       at: x(Math.log(value)),
-      label: readable(value).replace(/\.0+$/, ''),
+      label: readable(value)
+        .replace(/(\.\d*?)0+$/, '$1')
+        .replace(/\.$/, ''),
     })),
     lines: thinned(bettiTicks(most).map((value) => ({ at: y(value), label: String(value) }))),
     series,

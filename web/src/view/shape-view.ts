@@ -17,6 +17,8 @@ import { createMaterials, type SceneMaterials } from './scene-materials.ts';
 
 const TEXTURE_WIDTH = 2048;
 const FIELD_OF_VIEW = 32;
+/** How much of the stage the cloud takes. */
+const FILL = 0.86;
 /** A landmark is drawn this large compared to ε: dots that touch no neighbor. */
 const LANDMARK_SHARE = 0.3;
 
@@ -149,14 +151,11 @@ export class ShapeView {
   /** Looks at the whole cloud: in the plane from above, in space from a little above the side. */
   fit(): void {
     const planar = this.record?.dimension === 2;
-    const half = (FIELD_OF_VIEW / 2) * (Math.PI / 180);
-    const narrow = Math.min(1, this.camera.aspect);
-    const distance = 1.03 / Math.sin(Math.atan(Math.tan(half) * narrow));
     const direction = planar ? new Vector3(0, 0, 1) : new Vector3(0.45, -0.75, 0.62).normalize();
     this.camera.up.set(0, planar ? 1 : 0, planar ? 0 : 1);
     this.controls.enableRotate = !planar;
     this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(direction.multiplyScalar(distance));
+    this.camera.position.copy(direction.clone().multiplyScalar(this.fittingDistance(direction)));
     this.controls.update();
     this.requestRender();
   }
@@ -183,6 +182,25 @@ export class ShapeView {
     this.materials.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();
+  }
+
+  /** From how far, along the direction, all points are in sight. */
+  private fittingDistance(direction: Vector3): number {
+    const across = new Vector3().crossVectors(this.camera.up, direction).normalize();
+    const upright = new Vector3().crossVectors(direction, across);
+    const tallest = Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180)) * FILL;
+    const widest = tallest * this.camera.aspect;
+    const data = this.frame?.texture.image.data;
+    const count = (this.record?.coordinates.length ?? 0) / (this.record?.dimension ?? 1);
+    const point = new Vector3();
+    let distance = 0.5;
+    if (!data) return distance;
+    for (let i = 0; i < count; ++i) {
+      point.set(data[4 * i] ?? 0, data[4 * i + 1] ?? 0, data[4 * i + 2] ?? 0);
+      const needed = Math.max(Math.abs(point.dot(upright)) / tallest, Math.abs(point.dot(across)) / widest);
+      distance = Math.max(distance, needed + point.dot(direction));
+    }
+    return distance;
   }
 
   private clear(): void {
