@@ -1,0 +1,31 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "cloud/point_cloud.h"
+#include "reference/run.h"
+#include "timeline/timeline.h"
+
+namespace plateau {
+
+/// Runs the engine and compares what it recorded with the slow references: landmarks, epsilon bit by bit, complexes of
+/// all tracks, surface rows and how they are glued, shown families, Betti numbers, plateaus, and the laws. Runs of up
+/// to 60 steps at every step, longer ones at the first 12, every ninth and the last. `expected` is the reference of the
+/// same cloud, first landmark and number of steps. Empty, or the first difference with its step.
+std::string run_difference(const PointCloud& cloud, reference::Reference& expected, const reference::Settings& settings,
+                           int first = 0, int max_steps = reference::kAllSteps);
+
+Family family_of(reference::ShownFamily family);
+std::string name_of(reference::ShownFamily family);
+
+/// Numbers in parentheses, for messages.
+template <class Numbers>
+std::string joined(const Numbers& numbers) {
+    std::ostringstream text;
+    text.precision(17);
+    for (const auto& number : numbers) text << (text.tellp() > 0 ? " " : "") << number;
+    return "(" + text.str() + ")";
+}
+
+}  // namespace plateau
