@@ -8,13 +8,14 @@ type Style = (name: string) => string;
 
 function paintBands(context: CanvasRenderingContext2D, layout: DiagramLayout, style: Style): void {
   const { top, bottom } = layout;
-  context.textAlign = 'center';
+  context.textAlign = 'left';
   for (const band of layout.bands) {
     context.fillStyle = style(`--band-${band.family}`);
     context.fillRect(band.from, top, Math.max(1, band.to - band.from), bottom - top);
-    if (band.to - band.from < context.measureText(band.label).width + 8) continue;
+    // Beginning at the left, out of the way of the playhead in the middle.
+    if (band.to - band.from < context.measureText(band.label).width + 10) continue;
     context.fillStyle = style('--ink');
-    context.fillText(band.label, (band.from + band.to) / 2, top + 9);
+    context.fillText(band.label, band.from + 5, top + 9);
   }
 }
 

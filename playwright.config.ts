@@ -1,0 +1,32 @@
+import { defineConfig } from '@playwright/test';
+
+const port = 4188;
+
+/** The built page in Debian's Chromium, under the policy that scripts/serve.mjs sends. */
+export default defineConfig({
+  testDir: 'tests',
+  testMatch: ['web/**/*.spec.ts', 'parity/**/*.spec.ts'],
+  outputDir: 'test-results',
+  // Software rendering takes a whole core.
+  workers: 1,
+  forbidOnly: true,
+  timeout: 90_000,
+  expect: { timeout: 30_000 },
+  reporter: 'list',
+  use: {
+    baseURL: `http://127.0.0.1:${port}`,
+    browserName: 'chromium',
+    headless: true,
+    viewport: { width: 760, height: 560 },
+    acceptDownloads: true,
+    launchOptions: {
+      executablePath: '/usr/bin/chromium',
+      args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+    },
+  },
+  webServer: {
+    command: `node scripts/serve.mjs --port ${port}`,
+    url: `http://127.0.0.1:${port}`,
+    reuseExistingServer: false,
+  },
+});

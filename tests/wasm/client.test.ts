@@ -1,0 +1,165 @@
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { PlateauClient } from '../../web/src/client/plateau-client.ts';
+import { PlateauError, WORKER_FAILED } from '../../web/src/client/plateau-error.ts';
+import type { WorkerLike } from '../../web/src/client/worker-link.ts';
+import type { Opened, WorkerEvent, WorkerRequest } from '../../web/src/worker/protocol.ts';
+
+const OPENED: Opened = {
+  dimension: 3,
+  coordinates: new Float64Array(30),
+  family: 'auto',
+  nu: [1, 6, 6, 4],
+  stepsPlanned: 10,
+  estimatedBytes: 1,
+  memoryLimitBytes: 2,
+  warnings: [],
+};
+
+/** A worker that answers only what the test wants. */
+class FakeWorker implements WorkerLike {
+  onmessage: WorkerLike['onmessage'] = null;
+  onmessageerror: WorkerLike['onmessageerror'] = null;
+  onerror: WorkerLike['onerror'] = null;
+  readonly requests: WorkerRequest[] = [];
+  terminated = false;
+
+  postMessage(request: WorkerRequest): void {
+    this.requests.push(request);
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+
+  answer(event: WorkerEvent): void {
+    this.onmessage?.({ data: event } as MessageEvent<WorkerEvent>);
+  }
+
+  open(at = 0): void {
+    const request = this.requests[at];
+    if (request?.kind !== 'open') throw new Error('nothing to open');
+    this.answer({ kind: 'opened', runId: request.runId, requestId: request.requestId, opened: OPENED });
+  }
+
+  die(message: string): void {
+    this.onerror?.({ message, preventDefault: () => undefined } as ErrorEvent);
+  }
+}
+
+const source = { kind: 'sample', shape: 'torus', size: 10 } as const;
+let workers: FakeWorker[];
+let deaths: PlateauError[];
+let client: PlateauClient;
+
+function worker(index = workers.length - 1): FakeWorker {
+  const found = workers[index];
+  if (!found) throw new Error('no worker');
+  return found;
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  workers = [];
+  deaths = [];
+  client = new PlateauClient({
+    onDeath: (error) => deaths.push(error),
+    spawn: () => {
+      workers.push(new FakeWorker());
+      return worker();
+    },
+  });
+});
+afterEach(() => {
+  client.dispose();
+  vi.useRealTimers();
+});
+
+describe('the client', () => {
+  test('gives each answer to the request that asked', async () => {
+    const opening = client.open(source, {});
+    worker().open();
+    const run = await opening;
+    const csv = run.exportFile('betti-csv');
+    const ply = run.exportFile('mesh-ply', 3);
+    const [, first, second] = worker().requests;
+    expect(second).toMatchObject({ kind: 'export', format: 'mesh-ply', step: 3 });
+    worker().answer({
+      kind: 'exported',
+      runId: 1,
+      requestId: second?.requestId ?? 0,
+      bytes: Uint8Array.of(2),
+    });
+    worker().answer({
+      kind: 'exported',
+      runId: 1,
+      requestId: first?.requestId ?? 0,
+      bytes: Uint8Array.of(1),
+    });
+    expect(await csv).toEqual(Uint8Array.of(1));
+    expect(await ply).toEqual(Uint8Array.of(2));
+  });
+
+  test('turns a failure of the core into an error with its code and words', async () => {
+    const opening = client.open(source, {});
+    worker().answer({ kind: 'failed', runId: 1, requestId: 1, failure: { code: 3, message: 'Line 2 …' } });
+    await expect(opening).rejects.toMatchObject({ code: 3, message: 'Line 2 …' });
+  });
+
+  test('settles every promise when the worker dies, and goes on with a fresh one', async () => {
+    const opening = client.open(source, {});
+    worker().open();
+    const run = await opening;
+    const pending = [
+      run.fetchDelta(),
+      run.fetchPlateaus(),
+      run.exportFile('mesh-ply'),
+      run.pause(),
+      run.close(),
+    ];
+    const settled = Promise.allSettled(pending);
+    worker().die('memory access out of bounds');
+    for (const result of await settled) {
+      expect(result).toMatchObject({ status: 'rejected', reason: { code: WORKER_FAILED } });
+    }
+    expect(worker(0).terminated).toBe(true);
+    expect(deaths).toHaveLength(1);
+    expect(deaths[0]?.message).toMatch(/memory access out of bounds.*open the points again/s);
+
+    const again = client.open(source, {});
+    expect(workers).toHaveLength(2);
+    worker().open();
+    await expect(again).resolves.toHaveProperty('opened', OPENED);
+  });
+
+  test('does not wait for ever for a worker that fell silent', async () => {
+    const opening = client.open(source, {});
+    const settled = expect(opening).rejects.toMatchObject({ code: WORKER_FAILED });
+    await vi.advanceTimersByTimeAsync(60_000);
+    await settled;
+    expect(worker().terminated).toBe(true);
+  });
+
+  test('an aborted opening closes the run and rejects with the reason', async () => {
+    const abort = new AbortController();
+    const opening = client.open(source, {}, abort.signal);
+    abort.abort();
+    expect(worker().requests.map(({ kind }) => kind)).toEqual(['open', 'close']);
+    worker().answer({ kind: 'failed', runId: 1, requestId: 1, failure: { code: 12, message: 'closed' } });
+    await expect(opening).rejects.toHaveProperty('name', 'AbortError');
+    await expect(client.open(source, {}, abort.signal)).rejects.toHaveProperty('name', 'AbortError');
+  });
+
+  test('an answer of the wrong kind is an error, not a value', async () => {
+    const opening = client.open(source, {});
+    worker().answer({ kind: 'paused', runId: 1, requestId: 1 });
+    await expect(opening).rejects.toThrow(/out of turn/);
+  });
+
+  test('disposing settles what waits', async () => {
+    const opening = client.open(source, {});
+    const settled = expect(opening).rejects.toThrow(/closed/);
+    client.dispose();
+    await settled;
+    expect(deaths).toHaveLength(0);
+  });
+});

@@ -1,0 +1,118 @@
+import { beforeAll, beforeEach, describe, expect, test } from 'vitest';
+import type { PlateauModule } from 'plateau-module';
+import type { WorkerEvent, WorkerRequest } from '../../web/src/worker/protocol.ts';
+import { WorkerRuntime } from '../../web/src/worker/runtime.ts';
+import { buffersOf } from '../../web/src/worker/transfer.ts';
+import { file, loadModule, sample } from './module.ts';
+
+let module: PlateauModule;
+let events: WorkerEvent[];
+let waiting: (() => void)[];
+let runtime: WorkerRuntime;
+
+beforeAll(async () => {
+  module = await loadModule();
+});
+beforeEach(() => {
+  events = [];
+  waiting = [];
+  runtime = new WorkerRuntime(
+    module,
+    (event) => events.push(event),
+    (callback) => waiting.push(callback),
+  );
+});
+
+/** Lets the runtime compute, at most so many slices. */
+function slices(most = Infinity): number {
+  let done = 0;
+  for (; done < most; ++done) {
+    const next = waiting.shift();
+    if (!next) break;
+    next();
+  }
+  return done;
+}
+
+function answerTo(requestId: number): WorkerEvent {
+  const found = events.filter((event) => event.kind !== 'ready' && event.requestId === requestId);
+  expect(found).toHaveLength(1);
+  return found[0] as WorkerEvent;
+}
+
+function open(runId: number, requestId: number, source = sample('torus', 120)): void {
+  runtime.handle({ kind: 'open', runId, requestId, source, options: {} });
+}
+
+describe('the worker', () => {
+  test('answers each request once, from opening to closing', () => {
+    open(1, 1);
+    slices();
+    expect(answerTo(1).kind).toBe('opened');
+    const requests: WorkerRequest[] = [
+      { kind: 'fetchDelta', runId: 1, requestId: 2 },
+      { kind: 'fetchPlateaus', runId: 1, requestId: 3 },
+      { kind: 'export', runId: 1, requestId: 4, format: 'betti-csv' },
+      { kind: 'pause', runId: 1, requestId: 5 },
+      { kind: 'resume', runId: 1, requestId: 6 },
+      { kind: 'close', runId: 1, requestId: 7 },
+      { kind: 'fetchDelta', runId: 1, requestId: 8 },
+    ];
+    for (const request of requests) runtime.handle(request);
+    slices();
+    const kinds = [2, 3, 4, 5, 6, 7, 8].map((requestId) => answerTo(requestId).kind);
+    expect(kinds).toEqual(['delta', 'plateaus', 'exported', 'paused', 'resumed', 'closed', 'failed']);
+    const delta = answerTo(2);
+    expect(delta.kind === 'delta' && delta.delta.state).toBe('finished');
+  });
+
+  test('computes nothing while it is paused', () => {
+    open(1, 1, sample('torus', 2000));
+    slices(2);
+    runtime.handle({ kind: 'pause', runId: 1, requestId: 2 });
+    slices();
+    runtime.handle({ kind: 'fetchDelta', runId: 1, requestId: 3 });
+    runtime.handle({ kind: 'fetchDelta', runId: 1, requestId: 4 });
+    const [first, second] = [answerTo(3), answerTo(4)];
+    if (first.kind !== 'delta' || second.kind !== 'delta') throw new Error('no deltas');
+    expect(first.delta.state).not.toBe('finished');
+    expect(second.delta.landmark).toHaveLength(0);
+    runtime.handle({ kind: 'resume', runId: 1, requestId: 5 });
+    expect(slices(3)).toBe(3);
+    runtime.handle({ kind: 'close', runId: 1, requestId: 6 });
+    expect(slices()).toBeLessThanOrEqual(1);
+  });
+
+  test('a failed opening leaves the other run alone', () => {
+    open(1, 1);
+    open(2, 2, file('a.xyz', '1 2 3\n4 5\n'));
+    slices();
+    expect(answerTo(1).kind).toBe('opened');
+    expect(answerTo(2)).toMatchObject({ kind: 'failed', runId: 2 });
+    runtime.handle({ kind: 'fetchDelta', runId: 1, requestId: 3 });
+    expect(answerTo(3).kind).toBe('delta');
+  });
+
+  test('closing a run that still opens answers both', () => {
+    open(1, 1);
+    runtime.handle({ kind: 'close', runId: 1, requestId: 2 });
+    slices();
+    expect(answerTo(1).kind).toBe('failed');
+    expect(answerTo(2).kind).toBe('closed');
+  });
+
+  test('what it sends can be transferred as a whole', () => {
+    open(1, 1);
+    slices();
+    runtime.handle({ kind: 'fetchDelta', runId: 1, requestId: 2 });
+    runtime.handle({ kind: 'fetchPlateaus', runId: 1, requestId: 3 });
+    runtime.handle({ kind: 'export', runId: 1, requestId: 4, format: 'mesh-ply' });
+    for (const event of events) {
+      const buffers = buffersOf(event);
+      expect(buffers.length).toBeGreaterThan(0);
+      const received = structuredClone(event, { transfer: buffers });
+      for (const buffer of buffers) expect(buffer.byteLength).toBe(0);
+      expect(buffersOf(received)).toHaveLength(buffers.length);
+    }
+  });
+});
