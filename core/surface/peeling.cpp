@@ -20,6 +20,15 @@ void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const N
     touched_at_.resize(count, 0);
     in_doubt_.resize(count, 0);
 
+    // Births first, while what dies is still there: else every insertion would tear a hole, peel the surface from its
+    // rim and put it back. The order does not matter to K.
+    std::vector<SimplexIndex> born;
+    const SimplexIndex first_new = all ? 0 : context.triangles.first_of_step[step];
+    for (SimplexIndex triangle = first_new; triangle < context.triangles.size(); ++triangle) {
+        if (context.triangles.lives(triangle, 0, step) && ratio_allowed(triangle, context)) born.push_back(triangle);
+    }
+    admit(born, context);
+
     std::vector<SimplexIndex> edges;
     for (const Death& death : deaths) {
         if (death.track != 0 || death.dimension != 2 || present_[death.simplex] == 0) continue;
@@ -30,13 +39,6 @@ void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const N
         present_[death.simplex] = 0;
     }
     peel(edges, context);
-
-    std::vector<SimplexIndex> born;
-    const SimplexIndex first_new = all ? 0 : context.triangles.first_of_step[step];
-    for (SimplexIndex triangle = first_new; triangle < context.triangles.size(); ++triangle) {
-        if (context.triangles.lives(triangle, 0, step) && ratio_allowed(triangle, context)) born.push_back(triangle);
-    }
-    admit(born, context);
     report_changes();
 }
 
