@@ -51,14 +51,13 @@ FieldSample tanglecube_field(const Vector3& point) {
 }
 
 FieldSample double_torus_field(const Vector3& point) {
-    return melted(torus_field(point, 0, 1, 0.4), torus_field(point, 1.76, 0.36, 0.16), 0.1);
+    return melted(torus_field(point, 0, 1, 0.4), torus_field(point, 1.7, 0.3, 0.16), 0.1);
 }
 
-void append_uniform_on(const ImplicitSurface& surface, std::uint32_t size, Random& random,
-                       std::vector<double>& coordinates) {
+void fill_from(const ImplicitSurface& surface, Random& random, SpreadPoints& points) {
     constexpr int kNewtonSteps = 5;
     const double shell_squared = surface.shell * surface.shell;
-    for (std::uint32_t k = 0; k < size;) {
+    while (!points.full()) {
         Vector3 point{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             point[axis] = random.next_between(surface.low[axis], surface.high[axis]);
@@ -70,8 +69,7 @@ void append_uniform_on(const ImplicitSurface& surface, std::uint32_t size, Rando
             for (std::size_t axis = 0; axis < 3; ++axis) point[axis] -= pace * sample.gradient[axis];
             sample = surface.field(point);
         }
-        coordinates.insert(coordinates.end(), point.begin(), point.end());
-        ++k;
+        points.add(point);
     }
 }
 

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "base/random.h"
+#include "cloud/spread_points.h"
 
 namespace plateau {
 
@@ -31,9 +31,8 @@ struct ImplicitSurface {
     double shell = 0;  ///< half thickness of the layer that is sampled, input units; small against the curvature radii
 };
 
-/// Appends `size` points of the surface, uniform by area up to O(shell^2): uniform points of a thin layer, found by
-/// rejection on |value| / |gradient|, carried onto the surface by Newton steps. Arithmetic: + - * / only.
-void append_uniform_on(const ImplicitSurface& surface, std::uint32_t size, Random& random,
-                       std::vector<double>& coordinates);
+/// Fills `points` with points of the surface, uniform by area up to O(shell^2): uniform points of a thin layer, found
+/// by rejection on |value| / |gradient|, carried onto the surface by Newton steps. Arithmetic: + - * / sqrt only.
+void fill_from(const ImplicitSurface& surface, Random& random, SpreadPoints& points);
 
 }  // namespace plateau

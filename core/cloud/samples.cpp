@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "cloud/implicit_surface.h"
+#include "cloud/spread_points.h"
 #include "cloud/trigonometry.h"
 
 namespace plateau {
@@ -16,11 +17,11 @@ constexpr double kTorusLarge = 1;
 constexpr double kTorusSmall = 0.4;
 
 using Coordinates = std::vector<double>;
-using Generator = void (*)(std::uint32_t size, Random& random, Coordinates& coordinates);
+using Generator = Coordinates (*)(std::uint32_t size, Random& random);
 
 struct NamedGenerator {
     SampleShape shape;
-    Generator generate;
+    Generator generator;
 };
 
 /// Adds a uniform vector of the ball of the given radius to the last `dimension` numbers: rejection from the cube.
@@ -42,26 +43,40 @@ SineCosine winding_angle(std::uint32_t k, std::uint32_t n, std::uint64_t winding
     return sine_cosine_of_turns(static_cast<double>(winding * k % n) / n);
 }
 
-void circle_noise(std::uint32_t size, Random& random, Coordinates& out) {
+Coordinates circle_noise(std::uint32_t size, Random& random) {
     constexpr double kBuiltInNoise = 0.05;
-    for (std::uint32_t k = 0; k < size; ++k) {
+    SpreadPoints points(2, size, kTwoPi * 2 * kBuiltInNoise);
+    while (!points.full()) {
         const SineCosine angle = sine_cosine_of_turns(random.next_unit());
-        out.insert(out.end(), {angle.cosine, angle.sine});
-        add_ball_noise(2, kBuiltInNoise, random, &out[out.size() - 2]);
+        Vector3 point = {angle.cosine, angle.sine, 0};
+        add_ball_noise(2, kBuiltInNoise, random, point.data());
+        points.add(point);
     }
+    return points.take();
 }
 
-void nested_circles(std::uint32_t size, Random& random, Coordinates& out) {
+/// A random place in the middle half of the k-th of n stretches, as a part of the whole: dense, without ties and
+/// without near coincidences.
+double place_along(std::uint32_t k, std::uint32_t n, Random& random) {
+    return (k + random.next_between(0.25, 0.75)) / n;
+}
+
+Coordinates nested_circles(std::uint32_t size, Random& random) {
     constexpr double kInnerRadius = 0.4;
+    const auto inner = static_cast<std::uint32_t>(size * (kInnerRadius / (1 + kInnerRadius)));
+    Coordinates out;
     for (std::uint32_t k = 0; k < size; ++k) {
-        const double radius = random.next_unit() * (1 + kInnerRadius) < 1 ? 1 : kInnerRadius;
-        const SineCosine angle = sine_cosine_of_turns(random.next_unit());
+        const bool is_inner = k < inner;
+        const double radius = is_inner ? kInnerRadius : 1;
+        const double place = is_inner ? place_along(k, inner, random) : place_along(k - inner, size - inner, random);
+        const SineCosine angle = sine_cosine_of_turns(place);
         out.insert(out.end(), {radius * angle.cosine, radius * angle.sine});
     }
+    return out;
 }
 
-/// A five-pointed star; one random point in each of n stretches of equal length, so that it is dense without ties.
-void corner_curve(std::uint32_t size, Random& random, Coordinates& out) {
+/// A five-pointed star.
+Coordinates corner_curve(std::uint32_t size, Random& random) {
     constexpr std::uint32_t kCorners = 10;
     constexpr double kInnerRadius = 0.45;
     std::array<std::array<double, 2>, kCorners> corners{};
@@ -70,91 +85,107 @@ void corner_curve(std::uint32_t size, Random& random, Coordinates& out) {
         const SineCosine angle = winding_angle(k, kCorners, 1);
         corners[k] = {radius * angle.sine, radius * angle.cosine};  // one tip upwards
     }
+    Coordinates out;
     for (std::uint32_t k = 0; k < size; ++k) {
-        const double position = (k + random.next_unit()) / size * kCorners;  // all sides have the same length
-        std::uint32_t side = static_cast<std::uint32_t>(position);
-        if (side >= kCorners) side = kCorners - 1;
+        const double position = place_along(k, size, random) * kCorners;  // all sides have the same length
+        const auto side = static_cast<std::uint32_t>(position);           // below 10: places are at most 1 - 1 / (4 n)
         const double along = position - side;
         const auto& from = corners[side];
         const auto& to = corners[(side + 1) % kCorners];
         for (std::size_t axis = 0; axis < 2; ++axis) out.push_back(from[axis] + along * (to[axis] - from[axis]));
     }
+    return out;
 }
 
-void sphere(std::uint32_t size, Random& random, Coordinates& out) {
-    for (std::uint32_t k = 0; k < size;) {
+Coordinates sphere(std::uint32_t size, Random& random) {
+    SpreadPoints points(3, size, 2 * kTwoPi);
+    while (!points.full()) {
         const double x = random.next_between(-1, 1);
         const double y = random.next_between(-1, 1);
         const double z = random.next_between(-1, 1);
         const double norm_squared = x * x + y * y + z * z;
         if (norm_squared > 1 || norm_squared < 0.01) continue;  // too near the center the direction is rounded
         const double norm = std::sqrt(norm_squared);
-        out.insert(out.end(), {x / norm, y / norm, z / norm});
-        ++k;
+        points.add({x / norm, y / norm, z / norm});
     }
+    return points.take();
 }
 
 /// The point of the torus at an angle around the axis and one around the tube.
-void append_on_torus(const SineCosine& around_axis, const SineCosine& around_tube, Coordinates& out) {
+Vector3 on_torus(const SineCosine& around_axis, const SineCosine& around_tube) {
     const double to_axis = kTorusLarge + kTorusSmall * around_tube.cosine;
-    out.insert(out.end(), {to_axis * around_axis.cosine, to_axis * around_axis.sine, kTorusSmall * around_tube.sine});
+    return {to_axis * around_axis.cosine, to_axis * around_axis.sine, kTorusSmall * around_tube.sine};
 }
 
 /// Uniform by area, which is proportional to the distance from the axis: rejection.
-void torus(std::uint32_t size, Random& random, Coordinates& out) {
-    for (std::uint32_t k = 0; k < size;) {
+Coordinates torus(std::uint32_t size, Random& random) {
+    SpreadPoints points(3, size, kTwoPi * kTwoPi * kTorusLarge * kTorusSmall);
+    while (!points.full()) {
         const SineCosine tube = sine_cosine_of_turns(random.next_unit());
         const double height = random.next_unit() * (kTorusLarge + kTorusSmall);
         if (height > kTorusLarge + kTorusSmall * tube.cosine) continue;
         const SineCosine axis = sine_cosine_of_turns(random.next_unit());
-        append_on_torus(axis, tube, out);
-        ++k;
+        points.add(on_torus(axis, tube));
     }
+    return points.take();
 }
 
-void double_torus(std::uint32_t size, Random& random, Coordinates& out) {
-    append_uniform_on({double_torus_field, {-1.5, -1.5, -0.5}, {2.5, 1.5, 0.5}, 0.01}, size, random, out);
+Coordinates double_torus(std::uint32_t size, Random& random) {
+    constexpr double kArea = 17;
+    SpreadPoints points(3, size, kArea);
+    fill_from({double_torus_field, {-1.5, -1.5, -0.5}, {2.5, 1.5, 0.5}, 0.01}, random, points);
+    return points.take();
 }
 
-void helix(std::uint32_t size, Random&, Coordinates& out) {
+Coordinates helix(std::uint32_t size, Random&) {
     constexpr std::uint64_t kWindings = 17;
+    Coordinates out;
     for (std::uint32_t k = 0; k < size; ++k) {
-        append_on_torus(winding_angle(k, size, 1), winding_angle(k, size, kWindings), out);
+        const Vector3 point = on_torus(winding_angle(k, size, 1), winding_angle(k, size, kWindings));
+        out.insert(out.end(), point.begin(), point.end());
     }
+    return out;
 }
 
-void tanglecube(std::uint32_t size, Random& random, Coordinates& out) {
-    append_uniform_on({tanglecube_field, {-2.4, -2.4, -2.4}, {2.4, 2.4, 2.4}, 0.02}, size, random, out);
+Coordinates tanglecube(std::uint32_t size, Random& random) {
+    constexpr double kArea = 101;
+    SpreadPoints points(3, size, kArea);
+    fill_from({tanglecube_field, {-2.4, -2.4, -2.4}, {2.4, 2.4, 2.4}, 0.02}, random, points);
+    return points.take();
 }
 
-void trefoil(std::uint32_t size, Random&, Coordinates& out) {
+Coordinates trefoil(std::uint32_t size, Random&) {
+    Coordinates out;
     for (std::uint32_t k = 0; k < size; ++k) {
         const SineCosine once = winding_angle(k, size, 1);
         const SineCosine twice = winding_angle(k, size, 2);
         const SineCosine thrice = winding_angle(k, size, 3);
         out.insert(out.end(), {once.sine + 2 * twice.sine, once.cosine - 2 * twice.cosine, -thrice.sine});
     }
+    return out;
 }
 
 /// A sheet rolled one and a half turns, uniform by area: the spiral's speed at t turns is sqrt(1 + (2 pi t)^2).
-void swiss_roll(std::uint32_t size, Random& random, Coordinates& out) {
+Coordinates swiss_roll(std::uint32_t size, Random& random) {
     constexpr double kInnerTurn = 0.75;
     constexpr double kOuterTurn = 2.25;
     constexpr double kHalfWidth = 0.75;
+    constexpr double kArea = 9.5;
     const auto speed = [](double turns) {
         const double angle = kTwoPi * turns;
         return std::sqrt(1 + angle * angle);
     };
-    for (std::uint32_t k = 0; k < size;) {
+    SpreadPoints points(3, size, kArea);
+    while (!points.full()) {
         const double turns = random.next_between(kInnerTurn, kOuterTurn);
         const double height = random.next_unit() * speed(kOuterTurn);
         if (height > speed(turns)) continue;
         const double across = random.next_between(-kHalfWidth, kHalfWidth);
         const SineCosine angle = sine_cosine_of_turns(turns);
         const double radius = turns / kOuterTurn;
-        out.insert(out.end(), {radius * angle.cosine, radius * angle.sine, across});
-        ++k;
+        points.add({radius * angle.cosine, radius * angle.sine, across});
     }
+    return points.take();
 }
 
 constexpr std::array<NamedGenerator, 10> kGenerators = {{
@@ -207,9 +238,8 @@ Result<PointCloud> sample_shape(std::string_view name, const SampleOptions& opti
     }
     PointCloud cloud;
     cloud.dimension = found->shape.dimension;
-    cloud.coordinates.reserve(static_cast<std::size_t>(options.size) * cloud.dimension);
     Random random(options.seed);
-    found->generate(options.size, random, cloud.coordinates);
+    cloud.coordinates = found->generator(options.size, random);
     if (options.noise > 0) {
         // A stream of its own: the noiseless points stay the same whatever the noise.
         Random noise_random(~options.seed);
