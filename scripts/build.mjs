@@ -46,8 +46,10 @@ export async function buildSanitized() {
   await cmake(sanitizedFolder, ['-DPLATEAU_SANITIZE=ON']);
 }
 
-export async function buildWasm() {
-  await cmake(wasmFolder, [], { configure: ['emcmake', 'cmake'] });
+/** `checks`: also the modules that only tests load. */
+export async function buildWasm({ checks = false } = {}) {
+  const targets = checks ? ['all', 'predicate_sweep'] : [];
+  await cmake(wasmFolder, [], { configure: ['emcmake', 'cmake'], targets });
   writeStamp('wasm');
 }
 

@@ -94,7 +94,7 @@ const stages = [
   ['layering', nodeTests],
   ['build native', buildNative],
   ['ctest', () => ctest(nativeFolder, full ? [] : ['-LE', 'full'], 'ctest.xml')],
-  ['build wasm', buildWasm],
+  ['build wasm', () => buildWasm({ checks: true })],
   ['module', vitest],
   ['build web', buildWeb],
   ['page', playwright],
