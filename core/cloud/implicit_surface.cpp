@@ -51,7 +51,7 @@ FieldSample tanglecube_field(const Vector3& point) {
 }
 
 FieldSample double_torus_field(const Vector3& point) {
-    return melted(torus_field(point, 0, 1, 0.4), torus_field(point, 1.7, 0.3, 0.16), 0.1);
+    return melted(torus_field(point, 0, 1, 0.4), torus_field(point, 1.72, 0.32, 0.16), 0.1);
 }
 
 void fill_from(const ImplicitSurface& surface, Random& random, SpreadPoints& points) {

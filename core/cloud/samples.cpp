@@ -200,7 +200,9 @@ constexpr std::array<NamedGenerator, 10> kGenerators = {{
     {{"helix", 3, 3000, "Two answers: from afar the ring that the curve winds on, closer by the curve itself."}, helix},
     {{"tanglecube", 3, 15000, "A cube of tubes with five handles: ten independent loops and one cavity."}, tanglecube},
     {{"trefoil", 3, 3000, "A knotted loop: knotted or not, it is one piece with one hole."}, trefoil},
-    {{"swiss-roll", 3, 5000, "A rolled sheet: a surface with a border, one piece without a hole."}, swiss_roll},
+    {{"swiss-roll", 3, 5000,
+      "From afar a solid roll; a sheet with a border encloses nothing, so closer by no closed surface is left."},
+     swiss_roll},
 }};
 
 constexpr auto kShapes = [] {
