@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { PlateauClient } from '../../web/src/client/plateau-client.ts';
-import { PlateauError, WORKER_FAILED } from '../../web/src/client/plateau-error.ts';
+import type { PlateauError } from '../../web/src/client/plateau-error.ts';
+import { WORKER_FAILED } from '../../web/src/client/plateau-error.ts';
 import type { WorkerLike } from '../../web/src/client/worker-link.ts';
 import type { Opened, WorkerEvent, WorkerRequest } from '../../web/src/worker/protocol.ts';
 

@@ -37,7 +37,7 @@ function slices(most = Infinity): number {
 function answerTo(requestId: number): WorkerEvent {
   const found = events.filter((event) => event.kind !== 'ready' && event.requestId === requestId);
   expect(found).toHaveLength(1);
-  return found[0] as WorkerEvent;
+  return found[0];
 }
 
 function open(runId: number, requestId: number, source = sample('torus', 120)): void {

@@ -16,8 +16,7 @@ export function readable(value: number): string {
   }
   const rounded = Number(value.toPrecision(3));
   const decimals = Math.max(0, 2 - Math.floor(Math.log10(Math.abs(rounded))));
-  const text = rounded.toFixed(decimals);
-  return size >= 1000 ? grouped(Math.round(rounded)) : text;
+  return Math.abs(rounded) >= 1000 ? grouped(rounded) : rounded.toFixed(decimals);
 }
 
 const SUPERSCRIPT: Readonly<Record<string, string>> = {

@@ -1,0 +1,82 @@
+import { describe, expect, test } from 'vitest';
+import { readable } from '../../../web/src/model/numbers.ts';
+import { cardWords, joinedPlateaus, rankedCards } from '../../../web/src/model/plateau-cards.ts';
+import { bettiInWords, shapeInWords } from '../../../web/src/model/words.ts';
+import { plateausOf } from './fixtures.ts';
+
+describe('words', () => {
+  test.each([
+    ['surface', [1, 0, 1], 'sphere-like closed surface'],
+    ['surface', [1, 2, 1], 'torus-like closed surface'],
+    ['surface', [1, 4, 1], 'double-torus-like closed surface'],
+    ['surface', [1, 10, 1], 'closed surface with 5 handles'],
+    ['surface', [2, 2, 2], '2 closed surfaces, 1 handle in all'],
+    ['delaunay', [1, 1, 0], 'closed curve'],
+    ['delaunay', [1, 1], 'closed curve'],
+    ['delaunay', [2, 2], '2 closed curves'],
+    ['delaunay', [1, 0, 0], 'one piece without holes'],
+    ['delaunay', [1, 3, 0], 'one piece with 3 loops'],
+    ['delaunay', [3, 0, 0], '3 separate pieces'],
+    ['delaunay', [1, 2, 1], 'torus-like hollow shape'],
+    ['witness', [1, 0, 2], 'hollow shape with 2 voids'],
+  ] as const)('%s %j', (family, betti, words) => {
+    expect(shapeInWords(family, betti)).toBe(words);
+  });
+
+  test('count what is there', () => {
+    expect(bettiInWords([1, 2, 1])).toBe('1 component, 2 loops, 1 void');
+    expect(bettiInWords([1200, 0, 0])).toBe('1,200 components');
+  });
+
+  test.each([
+    [0, '0'],
+    [0.43219, '0.432'],
+    [0.09999, '0.100'],
+    [12.345, '12.3'],
+    [999.6, '1,000'],
+    [12345.6, '12,300'],
+    [0.00012345, '0.000123'],
+    [1.5e-9, '1.5\u202f×\u202f10⁻⁹'],
+    [2e9, '2\u202f×\u202f10⁹'],
+  ])('%d reads %s', (value, text) => {
+    expect(readable(value)).toBe(text);
+  });
+});
+
+describe('cards', () => {
+  const torus = { family: 2, betti: [1, 2, 1] };
+  const odd = { family: 1, betti: [1, 7, 0] };
+
+  test('join equal runs over a short gap, and look where one of them is', () => {
+    const plateaus = plateausOf([
+      { steps: [10, 50], epsilon: [1, 0.5], ratio: 2, ...torus },
+      { steps: [51, 52], epsilon: [0.5, 0.495], ratio: 1.01, ...odd },
+      { steps: [53, 90], epsilon: [0.495, 0.1], ratio: 4.95, ...torus },
+    ]);
+    const cards = joinedPlateaus(plateaus, 3);
+    expect(cards).toHaveLength(1);
+    expect(cards[0]).toMatchObject({ firstStep: 10, lastStep: 90, runs: 2, middleStep: 71 });
+    expect(cards[0]?.length).toBeCloseTo(Math.log(10), 10);
+    expect(cardWords(cards[0])).toEqual({
+      shape: 'torus-like closed surface',
+      counts: '1 component, 2 loops, 1 void',
+      scale: 'ε 1.00 → 0.100',
+      family: 'surface · 2 runs joined',
+    });
+  });
+
+  test('keep runs apart that a longer gap separates', () => {
+    const plateaus = plateausOf([
+      { steps: [10, 50], epsilon: [1, 0.5], ratio: 2, ...torus },
+      { steps: [51, 80], epsilon: [0.5, 0.3], ratio: 1.7, ...odd },
+      { steps: [81, 90], epsilon: [0.294, 0.1], ratio: 3, ...torus },
+    ]);
+    expect(joinedPlateaus(plateaus, 3)).toHaveLength(3);
+    expect(rankedCards(plateaus, 3).map(({ firstStep }) => firstStep)).toEqual([81, 10, 51]);
+  });
+
+  test('leave out what is too short to mean anything', () => {
+    const plateaus = plateausOf([{ steps: [1, 2], epsilon: [1, 1], ratio: 1.02, ...odd }]);
+    expect(rankedCards(plateaus, 3)).toEqual([]);
+  });
+});
