@@ -1,5 +1,5 @@
 import { RunRecord } from '../../../web/src/model/record.ts';
-import type { Delta, Family, Opened, Plateaus } from '../../../web/src/worker/protocol.ts';
+import type { Delta, Opened, Plateaus } from '../../../web/src/worker/protocol.ts';
 
 export const NEVER = 0xffffffff;
 
