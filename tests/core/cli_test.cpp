@@ -1,0 +1,335 @@
+// Drives the built command as a process.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cloud/samples.h"
+#include "io/writers.h"
+
+namespace plateau {
+namespace {
+
+struct Outcome {
+    int code = -1;
+    std::string output;
+    std::string error;
+};
+
+std::string contents(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+class Command : public testing::Test {
+protected:
+    void SetUp() override {
+        std::string pattern = testing::TempDir() + "plateau-cli-XXXXXX";
+        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+        folder_ = pattern;
+    }
+    void TearDown() override {
+        const int removed = std::system(("rm -r " + folder_).c_str());
+        EXPECT_EQ(removed, 0);
+    }
+
+    std::string path(const std::string& name) const { return folder_ + "/" + name; }
+    std::string written(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name), std::ios::binary) << text;
+        return path(name);
+    }
+
+    /// Starts the command; standard output and error go to files, unless an open descriptor is given for output.
+    pid_t started(const std::vector<std::string>& arguments, int output = -1) const {
+        const std::string input_path = path("stdin");
+        const std::string output_path = path("stdout");
+        const std::string error_path = path("stderr");
+        std::vector<std::string> words = {PLATEAU_BINARY};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        std::vector<char*> pointers;
+        for (std::string& word : words) pointers.push_back(word.data());
+        pointers.push_back(nullptr);
+        const pid_t child = fork();
+        if (child != 0) return child;
+        dup2(open(input_path.c_str(), O_RDONLY | O_CREAT, 0600), 0);
+        dup2(output >= 0 ? output : open(output_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 1);
+        dup2(open(error_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2);
+        execv(pointers[0], pointers.data());
+        _exit(127);
+    }
+
+    Outcome ended(pid_t child) const {
+        int status = 0;
+        waitpid(child, &status, 0);
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), contents(path("stdout")),
+                contents(path("stderr"))};
+    }
+
+    Outcome plateau(const std::vector<std::string>& arguments, const std::string& input = "") const {
+        written("stdin", input);
+        return ended(started(arguments));
+    }
+
+    /// Exit 2, nothing on standard output, exactly one line on standard error; returns that line.
+    std::string refused(const std::vector<std::string>& arguments, const std::string& input = "") const {
+        const Outcome outcome = plateau(arguments, input);
+        std::string all;
+        for (const std::string& argument : arguments) all += argument + " ";
+        EXPECT_EQ(outcome.code, 2) << all;
+        EXPECT_EQ(outcome.output, "") << all;
+        EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << all << outcome.error;
+        EXPECT_EQ(outcome.error.rfind("plateau: ", 0), 0u) << outcome.error;
+        return outcome.error;
+    }
+
+    std::string sample_file(const char* shape, std::uint32_t size) const {
+        const PointCloud cloud = sample_shape(shape, {.size = size}).value();
+        return written(std::string(shape) + ".xyz", cloud_xyz(cloud, 0, size));
+    }
+
+private:
+    std::string folder_;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST_F(Command, HelpAndVersion) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"--help"}, {"run", "--help"}, {"sample", "--help"}, {"--version"}}) {
+        const Outcome outcome = plateau(arguments);
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_EQ(outcome.error, "");
+        EXPECT_FALSE(outcome.output.empty());
+    }
+    EXPECT_EQ(plateau({"--version"}).output.rfind("plateau ", 0), 0u);
+    const std::string help = plateau({"run", "--help"}).output;
+    for (const char* option : {"--family", "--nu", "--first", "--steps", "--until", "--rho", "--columns", "--field",
+                               "--betti", "--plateaus", "--mesh", "--at", "--hash", "--progress"}) {
+        EXPECT_TRUE(contains(help, option)) << option;
+    }
+    for (const SampleShape& shape : sample_shapes()) {
+        EXPECT_TRUE(contains(plateau({"sample", "--help"}).output, std::string(shape.name)));
+    }
+}
+
+TEST_F(Command, SamplePrintsTheShape) {
+    const Outcome outcome = plateau({"sample", "torus", "--n", "250", "--noise", "0.05", "--seed", "7"});
+    EXPECT_EQ(outcome.code, 0);
+    const PointCloud cloud = sample_shape("torus", {.size = 250, .noise = 0.05, .seed = 7}).value();
+    EXPECT_EQ(outcome.output, cloud_xyz(cloud, 0, 250));
+    const std::string circle = plateau({"sample", "circle-noise"}).output;
+    EXPECT_EQ(std::count(circle.begin(), circle.end(), '\n'), 1000);
+}
+
+TEST_F(Command, WithoutOutputsTheTableOnStandardOutput) {
+    const std::string circle = plateau({"sample", "circle-noise", "--n", "300"}).output;
+    const Outcome outcome = plateau({"run", "-"}, circle);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_EQ(outcome.output.rfind("length", 0), 0u);
+    std::istringstream lines(outcome.output);
+    std::string line;
+    std::getline(lines, line);
+    std::getline(lines, line);
+    EXPECT_TRUE(contains(line, "(1, 1)")) << line;
+    EXPECT_EQ(plateau({"run", sample_file("circle-noise", 300)}).output, outcome.output);
+    EXPECT_EQ(plateau({"run", "-", "--progress"}, circle).output, outcome.output);
+}
+
+TEST_F(Command, OutputsAreThoseOfTheWriters) {
+    const std::string file = sample_file("torus", 600);
+    auto opened = Session::open(sample_shape("torus", {.size = 600}).value(), {});
+    ASSERT_TRUE(opened);
+    Session session = std::move(opened).value();
+    session.run({});
+    const Outcome outcome = plateau(
+        {"run", file, "--betti", path("b.csv"), "--plateaus", path("p.json"), "--mesh", path("m.ply"), "--hash"});
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_EQ(outcome.error, "");
+    char hash[32];
+    std::snprintf(hash, sizeof hash, "hash %016llx\n", static_cast<unsigned long long>(session.hash()));
+    EXPECT_EQ(outcome.output, hash);
+    EXPECT_EQ(contents(path("b.csv")), betti_csv(session));
+    EXPECT_EQ(contents(path("p.json")), plateaus_json(session));
+    EXPECT_EQ(contents(path("m.ply")), mesh_ply(session, std::nullopt));
+
+    EXPECT_EQ(plateau({"run", file, "--betti", "-"}).output, betti_csv(session));
+    EXPECT_EQ(plateau({"run", file, "--plateaus", "-"}).output, plateaus_json(session));
+    EXPECT_EQ(plateau({"run", file, "--mesh", "-", "--at", "40"}).output, mesh_ply(session, 40u));
+    EXPECT_EQ(plateau({"run", file, "--betti", "-", "--hash"}).output, betti_csv(session) + hash);
+    EXPECT_EQ(plateau({"run", file, "--hash"}).output, plateau_table(session) + hash);
+}
+
+TEST_F(Command, OptionsReachTheRun) {
+    const std::string file = sample_file("torus", 300);
+    const auto lines = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"run", file, "--betti", "-"});
+        const std::string text = plateau(options).output;
+        return std::count(text.begin(), text.end(), '\n') - 1;
+    };
+    EXPECT_EQ(lines({"--steps", "17"}), 17);
+    EXPECT_LT(lines({"--until", "0.5"}), 100);
+    EXPECT_TRUE(contains(plateau({"run", file, "--first", "42", "--betti", "-", "--steps", "1"}).output, "\n1,42,"));
+    EXPECT_TRUE(contains(plateau({"run", file, "--family", "witness", "--betti", "-"}).output, ",witness,"));
+    EXPECT_FALSE(contains(plateau({"run", file, "--family", "delaunay", "--betti", "-"}).output, ",surface,"));
+    EXPECT_NE(plateau({"run", file, "--family", "delaunay", "--nu", "1,2,3,4", "--hash"}).output,
+              plateau({"run", file, "--family", "delaunay", "--hash"}).output);
+    // Options may stand before the input.
+    EXPECT_EQ(plateau({"run", "--columns", "1,2", "--steps", "3", file}).code, 0);
+    const std::string table = written("t.csv", "a,b,c,d\n1,0,0,7\n2,0,1,8\n3,1,0,9\n");
+    EXPECT_EQ(plateau({"run", table, "--columns", "2,3", "--betti", "-"}).output,
+              plateau({"run", "-", "--betti", "-"}, "0 0\n0 1\n1 0\n").output);
+}
+
+TEST_F(Command, BadUsageIsOneLineAndExit2) {
+    const std::string file = sample_file("torus", 100);
+    refused({});
+    refused({"walk"});
+    refused({"run"});
+    refused({"run", file, "another.xyz"});
+    refused({"run", file, "--unknown"});
+    refused({"run", file, "--steps", "many"});
+    refused({"run", file, "--steps", "-1"});
+    refused({"run", file, "--steps", "0"});
+    refused({"run", file, "--steps", "99999999999"});
+    refused({"run", file, "--until", "-1"});
+    refused({"run", file, "--until", "nan"});
+    refused({"run", file, "--rho", "-1"});
+    refused({"run", file, "--first", "100"});
+    refused({"run", file, "--field", "4"});
+    refused({"run", file, "--nu", "1,two"});
+    refused({"run", file, "--nu", "1,6,6,4,"});
+    refused({"run", file, "--columns", "1"});
+    refused({"run", file, "--columns", "1,1"});
+    refused({"run", file, "--columns", "1,9"});
+    refused({"run", file, "--at", "5"});
+    refused({"run", file, "--betti", "-", "--mesh", "-"});
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated"}), "not in this version"));
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "cech"}), "witness, delaunay, surface or auto"));
+    EXPECT_TRUE(contains(refused({"sample", "cube"}), "swiss-roll"));
+    refused({"sample"});
+    refused({"sample", "torus", "--n", "0"});
+    refused({"sample", "torus", "--n", "20000000"});
+    refused({"sample", "torus", "--noise", "-1"});
+}
+
+TEST_F(Command, StepOfTheMeshOutOfRange) {
+    const std::string file = sample_file("torus", 100);
+    refused({"run", file, "--mesh", path("m.ply"), "--at", "0"});
+    EXPECT_TRUE(contains(refused({"run", file, "--mesh", path("m.ply"), "--at", "101"}), "100 steps"));
+    // Only duplicates are left after step 2.
+    EXPECT_TRUE(contains(refused({"run", "-", "--mesh", path("m.ply"), "--at", "3"}, "0 0\n1 1\n0 0\n"), "2 steps"));
+    EXPECT_FALSE(std::ifstream(path("m.ply")).good());
+}
+
+TEST_F(Command, BadInputIsOneLineAndExit2) {
+    EXPECT_TRUE(contains(refused({"run", path("missing.xyz")}), "missing.xyz"));
+    refused({"run", path("")});
+    EXPECT_TRUE(contains(refused({"run", "-"}, ""), "standard input: The file is empty."));
+    EXPECT_TRUE(contains(refused({"run", "-"}, "1 2 3\n"), "one point"));
+    EXPECT_TRUE(contains(refused({"run", "-"}, "1 2\n1 2\n"), "All 2 points are the same"));
+    EXPECT_TRUE(contains(refused({"run", "-"}, "1 2\n3 nan\n"), "Line 2"));
+    EXPECT_TRUE(contains(refused({"run", "-"}, "1 2\n3\n"), "Line 2"));
+    EXPECT_TRUE(contains(refused({"run", "-"}, "1 2 3 4 5 6\n1 2 3 4 5 7\n"), "--columns 1,2,3"));
+    EXPECT_TRUE(contains(refused({"run", written("a.xyz", "\x89PNG\r\n")}), "a.xyz: This seems to be a PNG"));
+}
+
+TEST_F(Command, OutputsThatCannotBeWritten) {
+    const std::string file = sample_file("torus", 100);
+    refused({"run", file, "--betti", path("no/such/folder.csv")});
+    refused({"run", file, "--mesh", path("")});
+    if (std::ifstream("/dev/full").good()) {
+        EXPECT_TRUE(contains(refused({"run", file, "--plateaus", "/dev/full"}), "/dev/full"));
+    }
+}
+
+TEST_F(Command, FlatCloudsRunWithANote) {
+    const Outcome line = plateau({"run", "-"}, "0 0 0\n1 1 1\n2 2 2\n5 5 5\n");
+    EXPECT_EQ(line.code, 0);
+    EXPECT_EQ(line.error, "plateau: All points lie on one line.\n");
+    const Outcome plane = plateau({"run", "-"}, "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+    EXPECT_EQ(plane.code, 0);
+    EXPECT_EQ(plane.error, "plateau: All points lie in one plane.\n");
+    EXPECT_EQ(plateau({"run", "-"}, "0 0\n1 0\n0 1\n").error, "");
+}
+
+TEST_F(Command, ColumnsTakenByTheReaderAreReported) {
+    const Outcome outcome = plateau({"run", written("c.xyz", "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n")});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.error, "plateau: Took columns 1,2,3 of 4 as coordinates.\n");
+}
+
+TEST_F(Command, CtrlCWritesWhatIsDone) {
+    // Large enough that it cannot be finished; the first steps come within seconds even on a busy machine.
+    written("stdin", "");
+    const std::string file = sample_file("torus", 300'000);
+    const pid_t child = started({"run", file, "--betti", path("b.csv"), "--plateaus", path("p.json"), "--progress"});
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!contains(contents(path("stderr")), "step ") && std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    ASSERT_EQ(kill(child, SIGINT), 0);
+    const Outcome outcome = ended(child);
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_TRUE(contains(outcome.error, "Interrupted after step ")) << outcome.error;
+    const std::string betti = contents(path("b.csv"));
+    const auto steps = std::count(betti.begin(), betti.end(), '\n') - 1;
+    EXPECT_GT(steps, 0);
+    EXPECT_LT(steps, 300'000);
+    EXPECT_TRUE(contains(outcome.error, "after step " + std::to_string(steps) + " of 300000"));
+    EXPECT_TRUE(contains(contents(path("p.json")), "]}"));
+}
+
+TEST_F(Command, CtrlCWhileItWaitsForInput) {
+    int pipe_ends[2];
+    ASSERT_EQ(pipe2(pipe_ends, O_CLOEXEC), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        dup2(pipe_ends[0], 0);
+        close(pipe_ends[1]);
+        execl(PLATEAU_BINARY, PLATEAU_BINARY, "run", "-", nullptr);
+        _exit(127);
+    }
+    close(pipe_ends[0]);
+    // Fill the pipe until it blocks for good: the command is reading, so its handler is in place.
+    const std::string row(65536, '\n');
+    for (int k = 0; k < 20; ++k) ASSERT_EQ(write(pipe_ends[1], row.data(), row.size()), 65536);
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    close(pipe_ends[1]);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+}
+
+TEST_F(Command, AReaderWhoLeavesEarlyIsNoError) {
+    written("stdin", "");
+    int pipe_ends[2];
+    ASSERT_EQ(pipe2(pipe_ends, O_CLOEXEC), 0);
+    const pid_t child = started({"sample", "torus", "--n", "200000"}, pipe_ends[1]);
+    close(pipe_ends[1]);
+    char first = 0;
+    EXPECT_EQ(read(pipe_ends[0], &first, 1), 1);
+    close(pipe_ends[0]);
+    const Outcome outcome = ended(child);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.error, "");
+}
+
+}  // namespace
+}  // namespace plateau
