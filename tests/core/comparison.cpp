@@ -148,9 +148,8 @@ RunOptions options_of(const Settings& settings, int first, int max_steps) {
     return options;
 }
 
-/// Up to 60 steps: all. Longer runs: the first 12, every ninth, and the last.
-bool compared(int step, int steps) {
-    return steps <= 60 || step <= 12 || step % 9 == 0 || step == steps;
+bool compared(int step, int steps, int stride) {
+    return steps <= 60 || step <= 12 || step % stride == 0 || step == steps;
 }
 
 }  // namespace
@@ -175,7 +174,7 @@ std::string name_of(ShownFamily family) {
 }
 
 std::string run_difference(const PointCloud& cloud, Reference& expected, const Settings& settings, int first,
-                           int max_steps) {
+                           int max_steps, int stride) {
     auto opened = Session::open(cloud, options_of(settings, first, max_steps));
     if (!opened) return "refused: " + opened.error().message;
     Session session = std::move(opened).value();
@@ -189,7 +188,7 @@ std::string run_difference(const PointCloud& cloud, Reference& expected, const S
     std::vector<StepState> states;
     const int steps = expected.step_count();
     for (int step = 1; step <= steps; ++step) {
-        if (!compared(step, steps)) continue;
+        if (!compared(step, steps, stride)) continue;
         states.push_back(expected.state(settings, step));
         const std::string text = step_difference(cloud, timeline, states.back(), static_cast<Step>(step));
         if (!text.empty()) return "step " + std::to_string(step) + ": " + text;

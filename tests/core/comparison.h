@@ -11,10 +11,10 @@ namespace plateau {
 
 /// Runs the engine and compares what it recorded with the slow references: landmarks, epsilon bit by bit, complexes of
 /// all tracks, surface rows and how they are glued, shown families, Betti numbers, plateaus, and the laws. Runs of up
-/// to 60 steps at every step, longer ones at the first 12, every ninth and the last. `expected` is the reference of the
-/// same cloud, first landmark and number of steps. Empty, or the first difference with its step.
+/// to 60 steps at every step, longer ones at the first 12, every `stride`-th and the last. `expected` is the reference
+/// of the same cloud, first landmark and number of steps. Empty, or the first difference with its step.
 std::string run_difference(const PointCloud& cloud, reference::Reference& expected, const reference::Settings& settings,
-                           int first = 0, int max_steps = reference::kAllSteps);
+                           int first = 0, int max_steps = reference::kAllSteps, int stride = 9);
 
 Family family_of(reference::ShownFamily family);
 std::string name_of(reference::ShownFamily family);

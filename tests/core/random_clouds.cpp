@@ -67,11 +67,11 @@ void append_point(Numbers& numbers, int kind, std::uint32_t dimension, int detai
 
 }  // namespace
 
-std::string random_run_difference(std::uint64_t seed) {
+std::string random_run_difference(std::uint64_t seed, int size_bound) {
     Numbers numbers(seed);
     PointCloud cloud;
     cloud.dimension = numbers.below(4) == 0 ? 2 : 3;
-    const int kind = numbers.below(8), detail = 2 + numbers.below(4), size = 4 + numbers.below(34);
+    const int kind = numbers.below(8), detail = 2 + numbers.below(4), size = 4 + numbers.below(size_bound - 4);
     const double scales[] = {1, 1, 1, 1e-6, 3e5, 1.0 / 3};
     const double scale = scales[numbers.below(6)];
     std::vector<double> row;
@@ -95,7 +95,7 @@ std::string random_run_difference(std::uint64_t seed) {
     const int max_steps = numbers.below(5) == 0 ? 1 + numbers.below(size) : reference::kAllSteps;
 
     reference::Reference expected(cloud, first, max_steps);
-    const std::string text = run_difference(cloud, expected, settings, first, max_steps);
+    const std::string text = run_difference(cloud, expected, settings, first, max_steps, 1);
     if (text.empty()) return "";
     std::ostringstream message;
     message << "seed " << seed << ": kind " << kind << ", " << size << " points, d = " << cloud.dimension << ", family "
