@@ -1,5 +1,6 @@
 #include "io/row_sink.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -38,6 +39,12 @@ std::optional<Error> RowSink::choose(std::uint32_t columns_in_file, std::span<co
     }
     result_.cloud.dimension = static_cast<std::uint32_t>(chosen_.size());
     return std::nullopt;
+}
+
+void RowSink::reserve(std::uint64_t points) {
+    // The largest files grow on their own: a reservation that fails would be fatal.
+    constexpr std::uint64_t kMostReserved = std::uint64_t{1} << 24;
+    result_.cloud.coordinates.reserve(static_cast<std::size_t>(std::min(points, kMostReserved)) * chosen_.size());
 }
 
 std::optional<Error> RowSink::add_fields(std::span<const std::string_view> fields, std::uint64_t line_number) {

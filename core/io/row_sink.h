@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -31,7 +32,8 @@ public:
     std::optional<Error> add_fields(std::span<const std::string_view> fields, std::uint64_t line_number);
     /// Adds one point. `place`: where it stands, for the message, e.g. "Vertex 7".
     std::optional<Error> add_point(std::span<const double> point, const char* place, std::uint64_t number);
-    void reserve(std::uint64_t points) { result_.cloud.coordinates.reserve(points * chosen_.size()); }
+    /// Room for points that are known to come.
+    void reserve(std::uint64_t points);
     void warn(std::string sentence) { result_.warnings.push_back(std::move(sentence)); }
 
     /// What was collected, or why it is no cloud.

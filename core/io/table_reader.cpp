@@ -51,10 +51,10 @@ private:
             if (auto error = choose_columns()) return error;
         }
         if (fields_.size() != width_) {
-            return Error{ErrorCode::RaggedRows, "Line " + std::to_string(lines_.line_number()) + " has " +
-                                                    std::to_string(fields_.size()) + " columns, but line " +
-                                                    std::to_string(first_row_line_) + " has " + std::to_string(width_) +
-                                                    "."};
+            return Error{ErrorCode::RaggedRows,
+                         "Line " + std::to_string(lines_.line_number()) + " has " + std::to_string(fields_.size()) +
+                             (fields_.size() == 1 ? " column, but line " : " columns, but line ") +
+                             std::to_string(first_row_line_) + " has " + std::to_string(width_) + "."};
         }
         return sink_.add_fields(fields_, lines_.line_number());
     }
