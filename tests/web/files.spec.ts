@@ -41,6 +41,7 @@ for (const [what, name, content, words] of bad) {
     expect(await root(page).evaluate((element) => ({ ...element.dataset }))).toEqual(before);
     await page.getByRole('button', { name: 'Step', exact: true }).click();
     expect(Number(await state(page, 'step'))).toBe(Math.min(120, Number(before['step']) + 1));
+    await expect(page.getByLabel('Sample')).toHaveValue('torus');
     // The next good file clears the message.
     await page.getByLabel('Open point cloud').setInputFiles(fileOf('good.xyz', torusText(60)));
     await shown(page, 'good.xyz');
@@ -81,6 +82,8 @@ test('family, ν and first landmark make a new run; what makes no sense is told'
   await page.getByRole('textbox', { name: 'ν' }).fill('one');
   await page.getByRole('textbox', { name: 'ν' }).press('Enter');
   await expect(page.getByRole('alert')).toContainText('ν');
+  await page.getByRole('button', { name: 'Dismiss' }).click();
+  await expect(page.getByRole('alert')).toBeHidden();
   expect(hashes.has(await state(page, 'hash'))).toBe(true);
 });
 

@@ -136,6 +136,15 @@ test('without WebGL the page says so, and the rest works', async ({ page }) => {
   await expect(page.getByRole('status')).toContainText('β 1, 2, 1');
 });
 
+test('nothing sticks out of a phone', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openPaused(page, 'torus', 120);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  for (const name of ['Betti numbers (CSV)', 'Mesh (PLY)', 'Diagram (SVG)', 'Play', 'Step', 'Back']) {
+    await expect(page.getByRole('button', { name, exact: true })).toBeVisible();
+  }
+});
+
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing to complain about: ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });

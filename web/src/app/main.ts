@@ -13,7 +13,6 @@ const fileInput = byId('file', HTMLInputElement);
 const sampleSelect = byId('sample', HTMLSelectElement);
 
 function openFile(file: File): void {
-  sampleSelect.value = '';
   void page.open({ kind: 'file', file }, {}, 'answer');
 }
 
@@ -42,6 +41,8 @@ byId('columns-form', HTMLFormElement).addEventListener('submit', (event) => {
     page.showError(error);
   }
 });
+
+byId('dismiss', HTMLButtonElement).addEventListener('click', () => page.dismissError());
 
 async function saveExport(format: 'betti-csv' | 'mesh-ply'): Promise<void> {
   try {
@@ -78,5 +79,4 @@ listenToKeys({
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => page.applyTheme());
 
 const { choice, options } = startFrom(location.search);
-if (choice.kind === 'sample') sampleSelect.value = choice.shape;
 void page.open(choice, options, matchMedia('(prefers-reduced-motion: reduce)').matches ? 'wait' : 'play');

@@ -52,6 +52,7 @@ export class Page {
   );
   private readonly settings = new SettingsForm(() => this.openAgain());
   private readonly playback = new Playback();
+  private readonly sample = byId('sample', HTMLSelectElement);
 
   private opening: AbortController | undefined;
   private failedChoice: SourceChoice | undefined;
@@ -109,6 +110,7 @@ export class Page {
       if (opening.signal.aborted) return;
       shown?.run.resume().catch(() => undefined);
       this.failedChoice = choice;
+      this.markSample();
       this.showError(error, choice.kind === 'file' && choice.columns === undefined ? sourceName(choice) : '');
     }
     this.opening = undefined;
@@ -125,6 +127,10 @@ export class Page {
     const message = error instanceof Error ? error.message : String(error);
     const asksForColumns = error instanceof PlateauError && error.code === UNSUPPORTED_DIMENSION;
     this.setNotices(about === '' ? message : `${about}: ${message}`, asksForColumns && about !== '');
+  }
+
+  dismissError(): void {
+    this.setNotices('', false);
   }
 
   togglePlay(): void {
@@ -208,12 +214,18 @@ export class Page {
     this.transport.setSteps(1);
     this.status.show(feed.record, undefined, false);
     byId('legend-voids', HTMLElement).hidden = feed.record.dimension < 3;
+    this.markSample();
     const count = feed.record.coordinates.length / feed.record.dimension;
     byId('source', HTMLElement).textContent = `${sourceName(choice)} · ${grouped(count)} points`;
     this.root.dataset['source'] = choice.kind === 'sample' ? choice.shape : choice.file.name;
     this.root.dataset['step'] = '0';
     this.showRunState(feed.record);
     feed.start();
+  }
+
+  /** The list of samples names what is shown, not what was tried. */
+  private markSample(): void {
+    this.sample.value = this.choice?.kind === 'sample' ? this.choice.shape : '';
   }
 
   private listener() {
@@ -303,7 +315,8 @@ export class Page {
   }
 
   private setNotices(message: string, askForColumns: boolean): void {
-    setNotice(this.alert, message);
+    this.alert.textContent = message;
+    byId('trouble', HTMLElement).hidden = message === '';
     byId('columns-form', HTMLFormElement).hidden = !askForColumns;
   }
 }

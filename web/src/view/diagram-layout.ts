@@ -45,6 +45,8 @@ export interface DiagramSize {
 const MARGIN = { left: 40, right: 14, top: 12, bottom: 36 };
 /** Equal Betti numbers are drawn side by side, this far apart. */
 const SIDE_BY_SIDE = 3;
+/** Room above the lines for the Betti numbers of the bands. */
+const LABEL_ROOM = 18;
 
 export function scaleToX(layout: DiagramLayout, scale: number): number {
   const { low, high } = layout.axis;
@@ -56,9 +58,9 @@ export function xToScale(layout: DiagramLayout, x: number): number {
   return low + ((x - layout.left) / (layout.right - layout.left)) * (high - low);
 }
 
-/** Betti numbers of plateaus are small, those in between can be hundreds: ln(1 + β) shows both. */
+/** Betti numbers of plateaus are small, those in between can be thousands: linear up to 3, logarithmic above. */
 function height(betti: number): number {
-  return Math.log1p(betti);
+  return Math.min(betti, 3) + 0.6 * Math.log1p(Math.max(0, betti - 3));
 }
 
 const NUMBERS = [0, 1, 2, 3, 5, 10, 20, 50];
@@ -137,7 +139,7 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
   for (let step = 1; step <= record.stepCount; ++step) {
     for (let k = 0; k < record.dimension; ++k) most = Math.max(most, record.betti(step, k));
   }
-  const room = frame.bottom - frame.top - 2 * SIDE_BY_SIDE;
+  const room = frame.bottom - frame.top - 2 * SIDE_BY_SIDE - LABEL_ROOM;
   const y = (betti: number): number => frame.bottom - SIDE_BY_SIDE - (height(betti) / height(most)) * room;
   const x = (scale: number): number =>
     frame.left + ((scale - axis.low) / (axis.high - axis.low)) * (frame.right - frame.left);

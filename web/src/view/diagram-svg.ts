@@ -30,12 +30,10 @@ export function diagramSvg(record: RunRecord, cards: readonly PlateauCard[], tit
   const height = layout.height + LEGEND_HEIGHT;
   const parts: string[] = [];
   for (const band of layout.bands) {
-    const place = `x="${number(band.from)}" y="${top}" width="${number(band.to - band.from)}" height="${bottom - top}"`;
+    const place = `x="${number(band.from)}" y="${top}" width="${number(Math.max(1, band.to - band.from - 1))}" height="${bottom - top}"`;
     parts.push(`<rect ${place} fill="${BAND_COLORS[band.family]}" fill-opacity="0.28"/>`);
-    if (band.to - band.from > 7 * band.label.length + 4) {
-      parts.push(
-        text((band.from + band.to) / 2, top + 14, 'middle', band.label, `fill="${INK}" font-weight="600"`),
-      );
+    if (band.to - band.from > 7 * band.label.length + 10) {
+      parts.push(text(band.from + 6, top + 14, 'start', band.label, `fill="${INK}" font-weight="600"`));
     }
   }
   if (layout.computedTo < right - 0.5) {
@@ -60,7 +58,7 @@ export function diagramSvg(record: RunRecord, cards: readonly PlateauCard[], tit
     if (path) parts.push(`<path d="${path}" fill="none" ${stroke}/>`);
   });
   layout.series.forEach((_, k) => {
-    const x = left + k * 130;
+    const x = left + k * 140;
     const y = layout.height + 12;
     parts.push(`<path d="M${x} ${y}h22" stroke="${BETTI_COLORS[k] ?? INK}" stroke-width="3"/>`);
     parts.push(text(x + 29, y + 4, 'start', BETTI_NAMES[k] ?? `β${k}`, `fill="${INK}"`));

@@ -11,7 +11,8 @@ function paintBands(context: CanvasRenderingContext2D, layout: DiagramLayout, st
   context.textAlign = 'left';
   for (const band of layout.bands) {
     context.fillStyle = style(`--band-${band.family}`);
-    context.fillRect(band.from, top, Math.max(1, band.to - band.from), bottom - top);
+    // A pixel in between tells two bands of one color apart.
+    context.fillRect(band.from, top, Math.max(1, band.to - band.from - 1), bottom - top);
     // Beginning at the left, out of the way of the playhead in the middle.
     if (band.to - band.from < context.measureText(band.label).width + 10) continue;
     context.fillStyle = style('--ink');
