@@ -38,17 +38,13 @@ const resultFile = (name) => {
 const json = (file) => JSON.parse(readFileSync(file, 'utf8'));
 const occurrences = (text, pattern) => [...text.matchAll(pattern)].length;
 
-async function nodeTests() {
-  const file = resultFile('node.xml');
+async function nodeTests(pattern, name) {
+  const file = resultFile(name);
   const reporters = ['spec', 'stdout', 'junit', file];
   const args = reporters.map(
     (value, i) => (i % 2 === 0 ? '--test-reporter=' : '--test-reporter-destination=') + value,
   );
-  await run(
-    process.execPath,
-    ['--test', ...args, ...projectFiles(/^tests\/(layering|scripts)\/.*\.test\.mjs$/)],
-    { env },
-  );
+  await run(process.execPath, ['--test', ...args, ...projectFiles(pattern)], { env });
   const text = readFileSync(file, 'utf8');
   const skipped = occurrences(text, /<skipped/g);
   return demand({ ran: occurrences(text, /<testcase/g) - skipped, skipped });
@@ -91,7 +87,7 @@ async function playwright() {
 const stages = [
   ['format', () => format({ check: true })],
   ['lint', lint],
-  ['layering', nodeTests],
+  ['layering', () => nodeTests(/^tests\/(layering|scripts)\/.*\.test\.mjs$/, 'layering.xml')],
   ['build native', buildNative],
   ['ctest', () => ctest(nativeFolder, full ? [] : ['-LE', 'full'], 'ctest.xml')],
   ['build wasm', () => buildWasm({ checks: true })],
@@ -101,6 +97,7 @@ const stages = [
 ];
 if (full) {
   stages.push(
+    ['acceptance', () => nodeTests(/^tests\/acceptance\/.*\.test\.mjs$/, 'acceptance.xml')],
     ['build sanitized', buildSanitized],
     ['ctest sanitized', () => ctest(sanitizedFolder, ['-LE', 'full'], 'ctest-sanitized.xml')],
     ['clang-tidy', lintCpp],
