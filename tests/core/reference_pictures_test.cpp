@@ -78,6 +78,18 @@ TEST(ReferenceElimination, ProjectivePlaneTellsFieldsApart) {
     EXPECT_EQ(betti_numbers(plane, 3, 3), (Betti{1, 0, 0}));
 }
 
+TEST(ReferenceDuality, AgreesWithElimination) {
+    for (const char* name : {"grid", "cospherical_9", "shells_large", "two_spheres", "helix"}) {
+        Reference reference(test_cloud(name).cloud);
+        for (int step = 10; step <= reference.step_count(); step += 10) {
+            Settings settings{ShownFamily::Delaunay, {1, 6, 6, 4}};
+            const Betti eliminated = reference.state(settings, step).betti;
+            settings.counting = Counting::Duality;
+            EXPECT_EQ(reference.state(settings, step).betti, eliminated) << name << ", step " << step;
+        }
+    }
+}
+
 TEST(ReferenceExact, SignsOnIntegers) {
     const ExactPoints points = exact_points(test_cloud("cube").cloud, {0, 1, 2, 4, 7});
     // 000, 001, 010, 100, 111

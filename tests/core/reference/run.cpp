@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "reference/duality.h"
 #include "reference/elimination.h"
 
 namespace plateau::reference {
@@ -57,6 +58,8 @@ StepState Reference::state(const Settings& settings, int step) {
     if (state.shown == ShownFamily::Surface) {
         state.empty = state.surface.rows.empty();
         state.betti = state.surface.betti();
+    } else if (settings.counting == Counting::Duality && triangulation.dimension == 3) {
+        state.betti = betti_by_duality(state.tracks.back(), triangulation);
     } else {
         state.betti = betti_numbers(state.tracks.back(), dimension, settings.prime);
     }

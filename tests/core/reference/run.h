@@ -11,11 +11,15 @@ namespace plateau::reference {
 
 enum class ShownFamily { Witness, Delaunay, Surface, Auto };
 
+/// How Betti numbers of complexes within D(L) are found.
+enum class Counting { Elimination, Duality };
+
 struct Settings {
     ShownFamily family = ShownFamily::Auto;
     std::vector<int> nu;
     double rho = 0;
     int prime = 2;
+    Counting counting = Counting::Elimination;
 };
 
 /// All that one step shows, computed from nothing but the cloud.

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "reference/cellular.h"
 #include "reference/elimination.h"
 
 namespace plateau::reference {
 namespace {
-
-using Cells = std::vector<Simplex>;
-
-/// Vertex at infinity: smaller than every step, so it comes first in its cells.
-constexpr int kInfinity = 0;
 
 Simplex without(Simplex simplex, int vertex) {
     simplex.erase(std::find(simplex.begin(), simplex.end(), vertex));
@@ -27,58 +22,6 @@ int opposite_vertex(const Simplex& cell, const Simplex& facet) {
     }
     throw std::logic_error("a facet with all vertices of its cell");
 }
-
-/// Classes of 0 .. size - 1, numbered in order of their first members.
-class Classes {
-public:
-    explicit Classes(std::size_t size) : label_(size) { std::iota(label_.begin(), label_.end(), 0); }
-    void unite(std::size_t a, std::size_t b) {
-        const int from = std::max(label_[a], label_[b]), to = std::min(label_[a], label_[b]);
-        std::replace(label_.begin(), label_.end(), from, to);
-    }
-    /// The number of each member's class; `count` receives how many classes there are.
-    std::vector<int> numbers(int& count) const {
-        std::map<int, int> number;
-        std::vector<int> result;
-        for (const int label : label_)
-            result.push_back(number.emplace(label, static_cast<int>(number.size())).first->second);
-        count = static_cast<int>(number.size());
-        return result;
-    }
-
-private:
-    std::vector<int> label_;
-};
-
-/// The cells of a triangulation of space and the infinite ones, and which two share a facet.
-struct Cellular {
-    Cells cells;
-    std::map<Simplex, std::vector<int>> at_facet;
-
-    explicit Cellular(const Triangulation& triangulation)
-        : cells(triangulation.cells.begin(), triangulation.cells.end()) {
-        std::map<Simplex, int> count;
-        for (const Simplex& cell : triangulation.cells) {
-            for (const Simplex& facet : facets(cell)) ++count[facet];
-        }
-        for (const auto& [facet, times] : count) {
-            if (times > 2) throw std::logic_error("a facet with more than two cells");
-            if (times == 2) continue;
-            Simplex infinite = facet;
-            infinite.insert(infinite.begin(), kInfinity);
-            cells.push_back(infinite);
-        }
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            for (const Simplex& facet : facets(cells[c])) at_facet[facet].push_back(static_cast<int>(c));
-        }
-    }
-    int across(const Simplex& facet, int cell) const {
-        const std::vector<int>& both = at_facet.at(facet);
-        if (both.size() != 2) throw std::logic_error("a facet without two cells");
-        return both[0] == cell ? both[1] : both[0];
-    }
-    bool infinite(int cell) const { return cells[static_cast<std::size_t>(cell)][0] == kInfinity; }
-};
 
 std::vector<bool> flooded(const Cellular& space, const std::set<Simplex>& kept) {
     std::vector<bool> outer(space.cells.size());

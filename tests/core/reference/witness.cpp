@@ -1,6 +1,7 @@
 #include "reference/witness.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace plateau::reference {
@@ -22,17 +23,16 @@ double distance_between(const PointCloud& cloud, std::size_t a, std::size_t b) {
 FarthestOrder farthest_point_order(const PointCloud& cloud, int first, int max_steps) {
     const std::size_t n = cloud.coordinates.size() / cloud.dimension;
     FarthestOrder order;
+    std::vector<double> nearest(n, std::numeric_limits<double>::infinity());  // squared, to the landmarks so far
     std::size_t next = static_cast<std::size_t>(first);
     do {
         order.landmarks.push_back(static_cast<int>(next));
+        const std::size_t landmark = next;
         double epsilon_squared = -1;
         for (std::size_t w = 0; w < n; ++w) {
-            double nearest = distance_between(cloud, w, static_cast<std::size_t>(order.landmarks[0]));
-            for (const int landmark : order.landmarks) {
-                nearest = std::min(nearest, distance_between(cloud, w, static_cast<std::size_t>(landmark)));
-            }
-            if (nearest > epsilon_squared) {
-                epsilon_squared = nearest;
+            nearest[w] = std::min(nearest[w], distance_between(cloud, w, landmark));
+            if (nearest[w] > epsilon_squared) {
+                epsilon_squared = nearest[w];
                 next = w;
             }
         }
