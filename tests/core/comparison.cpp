@@ -88,6 +88,7 @@ std::string surface_difference(const PointCloud& cloud, const Timeline& timeline
             row.triangle.push_back(landmark);
             ascending.push_back(v);
         }
+        if (ascending.size() != 3) return "a mesh triangle without three landmarks";
         const auto place = std::find(triangle.begin(), triangle.end(), ascending[0]) - triangle.begin();
         row.side = triangle[static_cast<std::size_t>((place + 1) % 3)] == ascending[1] ? 0 : 1;
         const auto found = std::lower_bound(surface.rows.begin(), surface.rows.end(), row);
