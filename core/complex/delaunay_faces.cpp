@@ -1,6 +1,6 @@
 #include "complex/delaunay_faces.h"
 
-#include "base/sort_few.h"
+#include "base/few.h"
 
 namespace plateau {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/few.h"
 #include "complex/simplex_table.h"
 
 namespace plateau {
@@ -61,7 +61,7 @@ private:
     };
 
     bool matches(std::uint32_t index, const Step* tuple) const {
-        return std::equal(tuple, tuple + width_, tuples_.data() + index * width_);
+        return equal_few(tuple, tuples_.data() + index * width_, width_);
     }
     std::size_t hash(const Step* tuple) const {
         std::uint64_t value = 0x9e3779b97f4a7c15ull;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/sort_few.h"
+#include "base/few.h"
 
 namespace plateau {
 

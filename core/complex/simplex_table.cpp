@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/few.h"
+
 namespace plateau {
 
 SimplexIndex SimplexTable::find(std::span<const Step> tuple) const {
@@ -20,7 +22,7 @@ SimplexIndex SimplexTable::find(std::span<const Step> tuple) const {
     }
     if (low == first_of_step[youngest + 1] || low == size()) return kNoSimplex;
     const Step* candidate = vertices.data() + low * width;
-    return std::equal(tuple.begin(), tuple.end(), candidate) ? low : kNoSimplex;
+    return equal_few(tuple.data(), candidate, width) ? low : kNoSimplex;
 }
 
 }  // namespace plateau

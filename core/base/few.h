@@ -15,4 +15,13 @@ void sort_few(Value* values, std::size_t count) {
     }
 }
 
+/// Whether two tuples of a handful of values are equal; std::equal would call memcmp for them.
+template <class Value>
+bool equal_few(const Value* a, const Value* b, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        if (a[i] != b[i]) return false;
+    }
+    return true;
+}
+
 }  // namespace plateau
