@@ -89,6 +89,8 @@ TEST(SessionReferenceOptions, OtherFirstLandmarks) {
     }
 }
 
+// At these ratios the engine's double arithmetic and the exact one agree; a triangle whose ratio is rho up to rounding
+// may fall on either side.
 TEST(SessionReferenceOptions, RadiusEdgeRatios) {
     for (const char* name : {"sphere", "torus", "grid", "lattice", "icosahedron"}) {
         const PointCloud cloud = test_cloud(name).cloud;
