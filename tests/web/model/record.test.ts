@@ -99,6 +99,37 @@ describe('the record', () => {
     expect(record.stepCount).toBe(4);
   });
 
+  test('knows the extremes of any range of steps', () => {
+    const record = new RunRecord(openedWith());
+    const values: number[] = [];
+    let seed = 7;
+    for (const count of [100, 500, 3, 700]) {
+      const betti = Uint32Array.from(
+        { length: 3 * count },
+        () => (seed = (seed * 16807) % 2147483647) % 1000,
+      );
+      record.append(deltaOf(values.length / 3 + 1, new Array<number>(count).fill(1), { betti }));
+      values.push(...betti);
+    }
+    for (const [first, last] of [
+      [1, 1303],
+      [1, 256],
+      [2, 257],
+      [257, 512],
+      [200, 900],
+      [1300, 1303],
+      [5, 5],
+    ] as const) {
+      for (const k of [0, 1, 2]) {
+        const range = Array.from(
+          { length: last - first + 1 },
+          (_, i) => values[3 * (first - 1 + i) + k] ?? 0,
+        );
+        expect(record.bettiExtremes(first, last, k)).toEqual([Math.min(...range), Math.max(...range)]);
+      }
+    }
+  });
+
   test('refuses a gap', () => {
     const record = new RunRecord(openedWith());
     record.append(deltaOf(1, [3, 2]));

@@ -1,6 +1,8 @@
 import type { Delta, Family, Opened, RunState, ShownFamily } from '../worker/protocol.ts';
 import { ChunkedColumn, LifespanStore, NEVER } from './chunks.ts';
 
+/** Steps in one block of extremes. */
+const BLOCK = 256;
 const SHOWN_FAMILIES: readonly ShownFamily[] = ['witness', 'delaunay', 'surface'];
 
 /** The name of a shown family in the numbering of the protocol. */
@@ -36,6 +38,9 @@ export class RunRecord {
   stepCount = 0;
   hash = '';
 
+  /** Extremes of the Betti numbers over blocks of steps, `dimension` entries a block. */
+  private readonly blockLeast: number[] = [];
+  private readonly blockMost: number[] = [];
   private readonly landmarks = new ChunkedColumn<Uint32Array>((length) => new Uint32Array(length));
   private readonly epsilons = new ChunkedColumn<Float64Array>((length) => new Float64Array(length));
   private readonly families = new ChunkedColumn<Uint8Array>((length) => new Uint8Array(length));
@@ -66,6 +71,7 @@ export class RunRecord {
     this.epsilons.append(delta.epsilon);
     this.families.append(delta.shownFamily);
     this.bettis.append(delta.betti);
+    this.extendBlocks(delta);
     this.appendSimplices(this.edges, delta.edges, delta.edgeDeath);
     this.appendSimplices(this.triangles, delta.triangles, delta.triangleDeath);
     for (let i = 0; i + 3 < delta.deaths.length; i += 4) {
@@ -97,6 +103,31 @@ export class RunRecord {
     return this.epsilons.at(step - 1);
   }
 
+  /** The least and the largest β_k over the steps, both ends included; whole blocks at a time. */
+  bettiExtremes(firstStep: number, lastStep: number, k: number): readonly [number, number] {
+    let least = Infinity;
+    let most = -Infinity;
+    const see = (low: number, high: number): void => {
+      least = Math.min(least, low);
+      most = Math.max(most, high);
+    };
+    for (let step = firstStep; step <= lastStep;) {
+      const block = Math.floor((step - 1) / BLOCK);
+      if ((step - 1) % BLOCK === 0 && step + BLOCK - 1 <= lastStep) {
+        see(
+          this.blockLeast[block * this.dimension + k] ?? 0,
+          this.blockMost[block * this.dimension + k] ?? 0,
+        );
+        step += BLOCK;
+      } else {
+        const value = this.betti(step, k);
+        see(value, value);
+        step += 1;
+      }
+    }
+    return [least, most];
+  }
+
   betti(step: number, k: number): number {
     return this.bettis.at((step - 1) * this.dimension + k);
   }
@@ -110,6 +141,16 @@ export class RunRecord {
       betti: Array.from({ length: this.dimension }, (_, k) => this.betti(step, k)),
       track: this.family === 'auto' && family === 'delaunay' ? 1 : 0,
     };
+  }
+
+  private extendBlocks(delta: Delta): void {
+    for (let i = 0; i < delta.betti.length; ++i) {
+      const step = delta.firstStep + Math.floor(i / this.dimension);
+      const at = Math.floor((step - 1) / BLOCK) * this.dimension + (i % this.dimension);
+      const value = delta.betti[i] ?? 0;
+      this.blockLeast[at] = Math.min(this.blockLeast[at] ?? Infinity, value);
+      this.blockMost[at] = Math.max(this.blockMost[at] ?? 0, value);
+    }
   }
 
   private appendSimplices(

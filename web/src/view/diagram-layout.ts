@@ -1,7 +1,7 @@
 import { readable } from '../model/numbers.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
-import { axisOf, scaleOf, type ScaleAxis } from '../model/scale-axis.ts';
+import { axisOf, scaleOf, stepAt, type ScaleAxis } from '../model/scale-axis.ts';
 import type { ShownFamily } from '../worker/protocol.ts';
 
 /** The Betti diagram as places on paper: the canvas on the page and the SVG file draw the same. */
@@ -90,40 +90,46 @@ function scaleTicks(axis: ScaleAxis, width: number): number[] {
   return ticks;
 }
 
-/** Collects the corners of one stepped line; within a column only its extremes. */
-class SteppedLine {
-  readonly corners: number[] = [];
-  private column = NaN;
-  private least = 0;
-  private most = 0;
-  private last = NaN;
+/** Steps that fall into one column of the paper. */
+interface Column {
+  readonly x: number;
+  readonly firstStep: number;
+  readonly lastStep: number;
+}
 
-  constructor(private readonly resolution: number) {}
+function columnsOf(record: RunRecord, x: (scale: number) => number, width: number): Column[] {
+  const columns: Column[] = [];
+  for (let step = 1; step <= record.stepCount;) {
+    const scale = scaleOf(record, step);
+    const lastStep = Math.max(step, stepAt(record, scale + width));
+    columns.push({ x: x(scale), firstStep: step, lastStep });
+    step = lastStep + 1;
+  }
+  return columns;
+}
 
-  add(x: number, y: number): void {
-    const column = Math.round(x * this.resolution) / this.resolution;
-    if (column !== this.column) {
-      this.flush();
-      this.column = column;
-      if (!Number.isNaN(this.last)) this.corners.push(column, this.last);
-      this.least = this.most = y;
+/** The corners of one stepped line; within a column only its extremes. */
+function steppedLine(
+  record: RunRecord,
+  k: number,
+  columns: readonly Column[],
+  y: (betti: number) => number,
+  end: number,
+): number[] {
+  const corners: number[] = [];
+  let before: number | undefined;
+  for (const { x, firstStep, lastStep } of columns) {
+    if (before !== undefined) corners.push(x, before);
+    corners.push(x, y(record.betti(firstStep, k)));
+    if (lastStep > firstStep) {
+      const [least, most] = record.bettiExtremes(firstStep, lastStep, k);
+      if (least !== most) corners.push(x, y(least), x, y(most));
     }
-    this.least = Math.min(this.least, y);
-    this.most = Math.max(this.most, y);
-    this.last = y;
+    before = y(record.betti(lastStep, k));
+    corners.push(x, before);
   }
-
-  finish(x: number): number[] {
-    this.flush();
-    if (!Number.isNaN(this.last)) this.corners.push(x, this.last);
-    return this.corners;
-  }
-
-  private flush(): void {
-    if (Number.isNaN(this.column)) return;
-    if (this.least !== this.most) this.corners.push(this.column, this.least, this.column, this.most);
-    this.corners.push(this.column, this.last);
-  }
+  if (before !== undefined) corners.push(end, before);
+  return corners;
 }
 
 export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: DiagramSize): DiagramLayout {
@@ -136,8 +142,8 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
     bottom: size.height - MARGIN.bottom,
   };
   let most = 3;
-  for (let step = 1; step <= record.stepCount; ++step) {
-    for (let k = 0; k < record.dimension; ++k) most = Math.max(most, record.betti(step, k));
+  for (let k = 0; k < record.dimension && record.stepCount > 0; ++k) {
+    most = Math.max(most, record.bettiExtremes(1, record.stepCount, k)[1]);
   }
   const room = frame.bottom - frame.top - 2 * SIDE_BY_SIDE - LABEL_ROOM;
   const y = (betti: number): number => frame.bottom - SIDE_BY_SIDE - (height(betti) / height(most)) * room;
@@ -146,12 +152,11 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
   const end = x(axis.computed);
   const startOf = (step: number): number => (step > record.stepCount ? end : x(scaleOf(record, step)));
 
+  const perUnit = (frame.right - frame.left) / (axis.high - axis.low);
+  const columns = columnsOf(record, x, 1 / (perUnit * resolution));
   const series = Array.from({ length: record.dimension }, (_, k) => {
     const aside = (k - (record.dimension - 1) / 2) * -SIDE_BY_SIDE;
-    const line = new SteppedLine(resolution);
-    for (let step = 1; step <= record.stepCount; ++step)
-      line.add(startOf(step), y(record.betti(step, k)) + aside);
-    return line.finish(end);
+    return steppedLine(record, k, columns, (betti) => y(betti) + aside, end);
   });
   const bands = cards
     .filter((card) => card.firstStep <= record.stepCount)
