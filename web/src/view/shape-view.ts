@@ -1,67 +1,15 @@
-import {
-  BufferGeometry,
-  DataTexture,
-  FloatType,
-  NearestFilter,
-  PerspectiveCamera,
-  Points,
-  RGBAFormat,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import { BufferGeometry, PerspectiveCamera, Points, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { RunRecord } from '../model/record.ts';
+import { distanceFor, frameCloud, type CloudFrame } from './cloud-frame.ts';
 import { LifespanLayer } from './lifespan-layer.ts';
 import { createMaterials, type SceneMaterials } from './scene-materials.ts';
 
-const TEXTURE_WIDTH = 2048;
 const FIELD_OF_VIEW = 32;
 /** How much of the stage the cloud takes. */
 const FILL = 0.86;
 /** A landmark is drawn this large compared to ε: dots that touch no neighbor. */
 const LANDMARK_SHARE = 0.3;
-
-/** The cloud moved and scaled into the unit sphere: single precision would lose clouds far from the origin. */
-interface Frame {
-  readonly scale: number;
-  readonly texture: DataTexture;
-}
-
-function framed(record: RunRecord): Frame {
-  const { coordinates, dimension } = record;
-  const count = coordinates.length / dimension;
-  const low = new Float64Array(3).fill(Infinity);
-  const high = new Float64Array(3).fill(-Infinity);
-  const at = (point: number, axis: number): number =>
-    axis < dimension ? (coordinates[point * dimension + axis] ?? 0) : 0;
-  for (let point = 0; point < count; ++point) {
-    for (let axis = 0; axis < 3; ++axis) {
-      const value = at(point, axis);
-      if (value < (low[axis] ?? 0)) low[axis] = value;
-      if (value > (high[axis] ?? 0)) high[axis] = value;
-    }
-  }
-  const center = low.map((value, axis) => value / 2 + (high[axis] ?? 0) / 2);
-  const extent = Math.max(...low.map((value, axis) => (high[axis] ?? 0) - value)) || 1;
-  let radius = 0;
-  for (let point = 0; point < count; ++point) {
-    let sum = 0;
-    for (let axis = 0; axis < 3; ++axis) sum += ((at(point, axis) - (center[axis] ?? 0)) / extent) ** 2;
-    radius = Math.max(radius, Math.sqrt(sum));
-  }
-  const scale = 1 / (extent * (radius || 1));
-  const rows = Math.max(1, Math.ceil(count / TEXTURE_WIDTH));
-  const data = new Float32Array(TEXTURE_WIDTH * rows * 4);
-  for (let point = 0; point < count; ++point) {
-    for (let axis = 0; axis < 3; ++axis)
-      data[4 * point + axis] = (at(point, axis) - (center[axis] ?? 0)) * scale;
-  }
-  const texture = new DataTexture(data, TEXTURE_WIDTH, rows, RGBAFormat, FloatType);
-  texture.minFilter = texture.magFilter = NearestFilter;
-  texture.needsUpdate = true;
-  return { scale, texture };
-}
 
 /** Draws a record at a step: orbit with the pointer, drawn only when something changed. Throws without WebGL 2. */
 export class ShapeView {
@@ -72,7 +20,7 @@ export class ShapeView {
   private readonly materials: SceneMaterials = createMaterials();
   private readonly resizing: ResizeObserver;
   private record: RunRecord | undefined;
-  private frame: Frame | undefined;
+  private frame: CloudFrame | undefined;
   private witnesses: Points | undefined;
   private layers:
     | { points: LifespanLayer; edges: LifespanLayer; triangles: LifespanLayer; rows: LifespanLayer }
@@ -97,7 +45,7 @@ export class ShapeView {
   setRecord(record: RunRecord): void {
     this.clear();
     this.record = record;
-    this.frame = framed(record);
+    this.frame = frameCloud(record.coordinates, record.dimension);
     const { shared } = this.materials;
     shared.uPositions.value = this.frame.texture;
     const geometry = new BufferGeometry();
@@ -190,17 +138,8 @@ export class ShapeView {
     const upright = new Vector3().crossVectors(direction, across);
     const tallest = Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180)) * FILL;
     const widest = tallest * this.camera.aspect;
-    const data = this.frame?.texture.image.data;
-    const count = (this.record?.coordinates.length ?? 0) / (this.record?.dimension ?? 1);
-    const point = new Vector3();
-    let distance = 0.5;
-    if (!data) return distance;
-    for (let i = 0; i < count; ++i) {
-      point.set(data[4 * i] ?? 0, data[4 * i + 1] ?? 0, data[4 * i + 2] ?? 0);
-      const needed = Math.max(Math.abs(point.dot(upright)) / tallest, Math.abs(point.dot(across)) / widest);
-      distance = Math.max(distance, needed + point.dot(direction));
-    }
-    return distance;
+    if (!this.frame) return 1;
+    return distanceFor(this.frame, direction.toArray(), across.toArray(), upright.toArray(), widest, tallest);
   }
 
   private clear(): void {

@@ -6,7 +6,7 @@ import { buffersOf } from './transfer.ts';
 /** How long the core may work before messages are looked at: a pause or a cancel waits no longer. */
 const SLICE_MS = 12;
 /** New simplices in one delta: the page appends them well within a frame. */
-const DELTA_SIMPLICES = 60_000;
+const DELTA_SIMPLICES = 30_000;
 const INTERNAL = 12;
 
 type OpenRequest = Extract<WorkerRequest, { kind: 'open' }>;
