@@ -1,4 +1,7 @@
-import './style.css';
+import './theme.css';
+import './page.css';
+import './film-and-cards.css';
+import './phone.css';
 import { diagramSvg } from '../view/diagram-svg.ts';
 import { byId } from './dom.ts';
 import { acceptDrops } from './file-drop.ts';
