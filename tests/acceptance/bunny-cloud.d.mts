@@ -1,0 +1,3 @@
+export declare const bunnyVolume: number;
+export declare function bunnyPoints(n: number, seed?: number): number[][];
+export declare function asText(points: readonly (readonly number[])[]): string;

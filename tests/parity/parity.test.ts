@@ -1,0 +1,55 @@
+import { beforeAll, describe, expect, test } from 'vitest';
+import type { PlateauModule } from 'plateau-module';
+import { SAMPLES } from '../../web/src/app/samples.ts';
+import { file, loadModule, opened, runThrough, sample } from '../wasm/module.ts';
+import { cases, commandHash, full, title } from './cases.ts';
+
+let module: PlateauModule;
+beforeAll(async () => {
+  module = await loadModule();
+});
+
+const all = cases();
+
+test('the page offers the shapes of the core, with their sizes', () => {
+  const offered = SAMPLES.map(({ shape, size }) => `${shape} ${size}`).sort();
+  expect(offered).toEqual(
+    module
+      .sampleShapes()
+      .map(({ name, defaultSize }) => `${name} ${defaultSize}`)
+      .sort(),
+  );
+});
+
+describe('the module computes what the command computes', () => {
+  const timeout = full ? 600_000 : 60_000;
+  test.each(all.map((one) => ({ ...one, title: title(one) })))(
+    '$title',
+    (one) => {
+      const expected = commandHash(one);
+      const sources = [file(one.fileName, one.text)];
+      if (one.sample) sources.push(sample(one.sample.shape, one.sample.size));
+      for (const source of sources) {
+        for (const budget of [1, Infinity]) {
+          const run = new module.Run(source, { family: one.family });
+          opened(run);
+          runThrough(run, budget);
+          expect(run.hash(), `${source.kind}, budget ${budget} ms`).toBe(expected);
+          run.delete();
+        }
+      }
+    },
+    timeout,
+  );
+});
+
+describe('the command prints the points that the module makes, bit for bit', () => {
+  const shapes = all.filter(({ family, sample: made }) => made && family === 'delaunay');
+  test.each(shapes)('$name', ({ sample: made, text }) => {
+    if (!made) throw new Error('only shapes are asked here');
+    const run = new module.Run(sample(made.shape, made.size), {});
+    const printed = text.trimEnd().split(/\s+/).map(Number);
+    expect([...opened(run).coordinates]).toEqual(printed);
+    run.delete();
+  });
+});
