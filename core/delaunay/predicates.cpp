@@ -2,6 +2,7 @@
 
 #include <CGAL/MP_Float.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -75,6 +76,31 @@ int orientation(std::span<const double> a, std::span<const double> b, std::span<
     if (quick != 2) return quick;
     using Exact = CGAL::MP_Float;
     return exact_sign(dot(cross(difference<Exact>(b, a), difference<Exact>(c, a)), difference<Exact>(d, a)));
+}
+
+// With squared edges a, b, c and the cross product x of two edges, R^2 = abc / (4 |x|^2); so R > rho sqrt(c) iff
+// ab > 4 rho^2 |x|^2, and the shortest edge is the one that makes this easiest.
+bool radius_edge_ratio_exceeds(double rho, std::span<const double> p, std::span<const double> q,
+                               std::span<const double> r) {
+    const auto excess = [&]<class Number>(const Number& ratio, int without) {
+        const auto x = difference<Number>(q, p);
+        const auto y = difference<Number>(r, p);
+        const auto z = difference<Number>(r, q);
+        const auto normal = cross(x, y);
+        const std::array<Number, 3> squared{dot(x, x), dot(y, y), dot(z, z)};
+        const auto first = static_cast<std::size_t>(without + 1) % 3;
+        const auto second = static_cast<std::size_t>(without + 2) % 3;
+        return squared[first] * squared[second] - Number(4) * ratio * ratio * dot(normal, normal);
+    };
+    const double longest = std::max(
+        {largest(difference<double>(q, p)), largest(difference<double>(r, p)), largest(difference<double>(r, q))});
+    const double error_bound = 1e-13 * (1 + 4 * rho * rho) * longest * longest * longest * longest;
+    for (const int without : {0, 1, 2}) {
+        int sign = filtered_sign(excess(rho, without), error_bound);
+        if (sign == 2) sign = exact_sign(excess(CGAL::MP_Float(rho), without));
+        if (sign > 0) return true;
+    }
+    return false;
 }
 
 }  // namespace plateau

@@ -16,4 +16,9 @@ int sign_of_wedge(std::span<const double> u, std::span<const double> v, std::spa
 int orientation(std::span<const double> a, std::span<const double> b, std::span<const double> c,
                 std::span<const double> d);
 
+/// Whether the radius-edge ratio of the triangle pqr (circumradius over shortest edge) exceeds rho > 0. A triangle
+/// without area has an infinite ratio.
+bool radius_edge_ratio_exceeds(double rho, std::span<const double> p, std::span<const double> q,
+                               std::span<const double> r);
+
 }  // namespace plateau

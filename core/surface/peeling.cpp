@@ -42,25 +42,11 @@ void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const N
     report_changes();
 }
 
-// R / (shortest edge) <= rho, squared and without a division: R = |a||b||c| / (2 |a x b|).
 bool Peeling::ratio_allowed(SimplexIndex triangle, const Context& context) const {
     if (rho_ <= 0) return true;
     const auto tuple = context.triangles.tuple(triangle);
-    const auto p = context.points[tuple[0]];
-    const auto q = context.points[tuple[1]];
-    const auto r = context.points[tuple[2]];
-    const double pq = distance_squared(p, q);
-    const double pr = distance_squared(p, r);
-    const double qr = distance_squared(q, r);
-    double cross_squared = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3;
-        const double minor = (q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]);
-        cross_squared += minor * minor;
-    }
-    double shortest = pq < pr ? pq : pr;
-    shortest = qr < shortest ? qr : shortest;
-    return pq * pr * qr <= 4 * rho_ * rho_ * shortest * cross_squared;
+    const LandmarkPoints& points = context.points;
+    return !radius_edge_ratio_exceeds(rho_, points[tuple[0]], points[tuple[1]], points[tuple[2]]);
 }
 
 // Whether all triangles at the edge, of this round and later, fit in a wedge of at most pi/2. None or one do.

@@ -12,7 +12,9 @@ TEST(PredicateSweep, EverySignIsThatOfTheExactDeterminant) {
 }
 
 // The module must print the same: tests/wasm/predicate-sweep.test.ts.
-TEST(PredicateSweep, GridOfSpacingOneTenth) { EXPECT_EQ(grid_delaunay_hash(20, 0.1), 0x062319d005b19696ull); }
+TEST(PredicateSweep, GridOfSpacingOneTenth) {
+    EXPECT_EQ(grid_delaunay_hash(20, 0.1), 0x062319d005b19696ull);
+}
 
 }  // namespace
 }  // namespace plateau::sweep

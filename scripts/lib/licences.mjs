@@ -1,0 +1,37 @@
+// What the GPL and the packages ask of whoever serves the page: their licences and the source, beside it.
+import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { projectFiles } from './files.mjs';
+import { Failure, root, run } from './run.mjs';
+
+/** What the built page contains, and where each says under which licence. */
+const bundled = [
+  { name: 'three.js', folder: join(root, 'node_modules', 'three') },
+  { name: 'CGAL', folder: '/usr/share/doc/libcgal-dev' },
+  { name: 'Boost', folder: /^libboost\d[\d.]*-dev$/ },
+  { name: 'GUDHI', folder: '/usr/share/doc/libgudhi-dev' },
+  { name: 'Eigen', folder: '/usr/share/doc/libeigen3-dev' },
+  { name: 'Emscripten runtime and C++ library', folder: '/usr/share/doc/emscripten' },
+];
+
+function licenceText({ name, folder }) {
+  const place =
+    typeof folder === 'string'
+      ? folder
+      : join('/usr/share/doc', readdirSync('/usr/share/doc').find((entry) => folder.test(entry)) ?? '');
+  const file = ['LICENSE', 'copyright'].map((entry) => join(place, entry)).find((path) => existsSync(path));
+  if (!file) throw new Failure(`The licence of ${name} is not where its package puts it (${place}).`);
+  return `${'='.repeat(100)}\n${name}\n${'='.repeat(100)}\n\n${readFileSync(file, 'utf8').trim()}\n`;
+}
+
+/** Writes licences.txt and source.tar.gz into the folder that is served. */
+export async function writeLicencesAndSource(folder) {
+  const own = readFileSync(join(root, 'LICENSE'), 'utf8').trim();
+  const head = `Plateau is free software under the GNU General Public License, version 3 or later (the text follows).
+The source that this page was built from is in source.tar.gz beside this file. It contains the packages below.\n`;
+  const texts = [`${head}\n${own}\n`, ...bundled.map(licenceText)];
+  writeFileSync(join(folder, 'licences.txt'), texts.join('\n'));
+  const sources = projectFiles(/./);
+  if (sources.length === 0) throw new Failure('The source can be packed from a git checkout only.');
+  await run('tar', ['czf', join(folder, 'source.tar.gz'), ...sources], { echo: false });
+}
