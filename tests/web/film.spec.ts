@@ -69,6 +69,8 @@ test.describe('the film', () => {
   });
 
   test('goes by keyboard', async ({ page }) => {
+    // Asked for early: the browser is told to hand the chooser over, and that takes its time.
+    const chooser = page.waitForEvent('filechooser');
     const at = async (step: number) => expect(root(page)).toHaveAttribute('data-step', String(step));
     await page.keyboard.press('Home');
     await at(1);
@@ -87,7 +89,6 @@ test.describe('the film', () => {
     await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
     await page.keyboard.press('Space');
     await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
-    const chooser = page.waitForEvent('filechooser');
     await page.keyboard.press('o');
     await chooser;
     // In a text field keys are text; on a focused slider arrows act once.

@@ -23,6 +23,7 @@ export interface SharedUniforms {
   readonly uTrack: IUniform<number>;
   readonly uViewport: IUniform<Vector2>;
   readonly uDistance: IUniform<number>;
+  readonly uHaze: IUniform<number>;
   readonly uBackground: IUniform<Color>;
 }
 
@@ -49,6 +50,7 @@ export function createMaterials(): SceneMaterials {
     uTrack: { value: 0 },
     uViewport: { value: new Vector2(1, 1) },
     uDistance: { value: 1 },
+    uHaze: { value: 1 },
     uBackground: { value: new Color() },
   };
   const edgeColor = { value: new Color() };

@@ -28,8 +28,9 @@ const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
 /** Depth as haze: what is far behind the middle of the unit sphere goes towards the background. */
 const HAZE = /* glsl */ `
 uniform float uDistance;
+uniform float uHaze;  // 0 in the plane, 1 in space
 float hazeAt(float depth) {
-  return smoothstep(-0.8, 1.2, depth - uDistance);
+  return uHaze * smoothstep(-0.8, 1.2, depth - uDistance);
 }
 `;
 

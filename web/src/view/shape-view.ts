@@ -48,6 +48,7 @@ export class ShapeView {
     this.frame = frameCloud(record.coordinates, record.dimension);
     const { shared } = this.materials;
     shared.uPositions.value = this.frame.texture;
+    shared.uHaze.value = record.dimension === 2 ? 0 : 1;
     const geometry = new BufferGeometry();
     geometry.setDrawRange(0, record.coordinates.length / record.dimension);
     this.witnesses = new Points(geometry, this.materials.witness);
