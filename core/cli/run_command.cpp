@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <array>
 #include <cstdio>
 #include <string>
@@ -66,6 +68,14 @@ std::optional<Error> write_outputs(const RunArguments& arguments, const Session&
     return std::nullopt;
 }
 
+/// Bytes that a run may take on this machine: four fifths of its memory.
+std::uint64_t usable_memory() {
+    const long pages = sysconf(_SC_PHYS_PAGES);
+    const long page_size = sysconf(_SC_PAGESIZE);
+    if (pages <= 0 || page_size <= 0) return RunOptions{}.memory_limit;
+    return static_cast<std::uint64_t>(pages) / 5 * 4 * static_cast<std::uint64_t>(page_size);
+}
+
 /// A cloud in a plane or on a line is computed as such, and the user should know.
 std::optional<std::string> degeneracy(const Timeline& timeline) {
     if (timeline.family == Family::Witness || timeline.step_count == 0) return std::nullopt;
@@ -96,7 +106,9 @@ Result<int> run(const RunArguments& arguments) {
     }
     std::vector<std::string> notes = std::move(read.value().warnings);
 
-    auto opened = Session::open(std::move(read.value().cloud), arguments.options);
+    RunOptions options = arguments.options;
+    options.memory_limit = usable_memory();
+    auto opened = Session::open(std::move(read.value().cloud), options);
     if (!opened) return opened.error();
     Session session = std::move(opened).value();
     const Step planned = session.progress().steps_planned;
