@@ -41,8 +41,8 @@ LandmarkLists::LandmarkLists(const PointCloud& cloud, std::uint32_t kappa) : clo
 }
 
 bool LandmarkLists::prepare(const Deadline& deadline) {
-    while (!pending_.empty()) {
-        if (deadline.passed()) return false;
+    for (bool first = true; !pending_.empty(); first = false) {
+        if (!first && deadline.passed()) return false;
         const PendingRange range = pending_.back();
         pending_.pop_back();
         const auto index = static_cast<std::uint32_t>(nodes_.size());

@@ -33,7 +33,8 @@ public:
     /// `cloud` must outlive the lists; kappa >= 1. The tree is built by prepare().
     LandmarkLists(const PointCloud& cloud, std::uint32_t kappa);
 
-    /// Builds the tree until the deadline passes; true when it is complete. Cost in all: O(n log n).
+    /// Builds the tree until the deadline passes, at least a node of it; true when it is complete. Cost in all: O(n log
+    /// n).
     bool prepare(const Deadline& deadline);
 
     /// Inserts the landmark with this input index at the given step (1-based, consecutive). The entries name the
