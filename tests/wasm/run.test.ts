@@ -108,7 +108,7 @@ describe('what a run appends', () => {
     const delta = expected(run.delta(1e6));
     const before = [...delta.edges];
     expect(delta.edges.buffer.byteLength).toBe(delta.edges.byteLength);
-    const large = new module.Run(sample('sphere', 400_000), {});
+    const large = new module.Run(sample('sphere', 150_000), {});
     opened(large);
     expected(large.run(50, 0xffffffff));
     large.delete();
