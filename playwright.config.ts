@@ -1,6 +1,7 @@
 import { defineConfig } from '@playwright/test';
 
-const port = 4188;
+// Two checkouts can be tested side by side on ports of their own.
+const port = Number(process.env['PLATEAU_TEST_PORT'] ?? 4188);
 
 /** The built page in Debian's Chromium, under the policy that scripts/serve.mjs sends. */
 export default defineConfig({
