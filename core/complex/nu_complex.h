@@ -73,7 +73,7 @@ private:
     std::vector<std::vector<std::uint32_t>> nu_;
     std::vector<LinkTable> links_;
     std::vector<Book> books_;
-    std::vector<WitnessId> entered_;                           // of all steps, in step order
+    std::vector<WitnessId> entered_;                         // of all steps, in step order
     std::vector<std::size_t> first_entered_{0, 0};           // [s] = first place of step s
     std::vector<std::vector<std::uint32_t>> first_watched_;  // [track][witness], encoded
     std::vector<Death> deaths_;

@@ -103,22 +103,31 @@ void EmbeddedBetti::open_facet(Step step, CellId cell, int index, const Delaunay
     facet_edge_[neighbor][static_cast<std::size_t>(mirror)] = edge;
 }
 
-void EmbeddedBetti::evaluate(std::vector<std::uint32_t>& betti) {
-    if (euler_.empty()) return;
+bool EmbeddedBetti::evaluate(const Deadline& deadline, std::vector<std::uint32_t>& betti) {
+    if (euler_.empty()) return true;
     const Step last = first_pending_ + static_cast<Step>(euler_.size()) - 1;
-    const auto components = skeleton_.count_components(first_pending_, last);
-    std::vector<std::uint32_t> regions;
-    if (outside_ != kNone) regions = complement_.count_components(first_pending_, last);
+    if (!skeleton_count_) {
+        skeleton_count_.emplace(skeleton_, first_pending_, last);
+        if (outside_ != kNone) complement_count_.emplace(complement_, first_pending_, last);
+    }
+    if (!skeleton_count_->advance(deadline)) return false;
+    if (complement_count_ && !complement_count_->advance(deadline)) return false;
+
     for (std::size_t i = 0; i < euler_.size(); ++i) {
-        const std::int64_t beta0 = components[i];
-        const std::int64_t beta2 = dimension_[i] == 3 ? std::int64_t{regions[i]} - 1 : 0;
-        betti.push_back(components[i]);
+        const std::int64_t beta0 = skeleton_count_->components()[i];
+        const std::int64_t beta2 = dimension_[i] == 3 ? std::int64_t{complement_count_->components()[i]} - 1 : 0;
+        betti.push_back(static_cast<std::uint32_t>(beta0));
         betti.push_back(static_cast<std::uint32_t>(beta0 + beta2 - euler_[i]));
         if (ambient_dimension_ == 3) betti.push_back(static_cast<std::uint32_t>(beta2));
     }
+    skeleton_count_.reset();
+    complement_count_.reset();
+    skeleton_.forget_ended();
+    complement_.forget_ended();
     first_pending_ = last + 1;
     euler_.clear();
     dimension_.clear();
+    return true;
 }
 
 std::uint64_t EmbeddedBetti::memory() const {

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "complex/delaunay_faces.h"
 #include "complex/simplex_table.h"
 #include "delaunay/delaunay.h"
+#include "homology/component_count.h"
 #include "homology/temporal_graph.h"
 
 namespace plateau {
@@ -24,8 +26,9 @@ public:
     void record(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
                 const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces);
 
-    /// Appends beta_0 .. beta_{d-1} of each recorded step that has not been evaluated yet.
-    void evaluate(std::vector<std::uint32_t>& betti);
+    /// Works until the deadline on the recorded steps that have not been evaluated yet; nothing may be recorded before
+    /// it is done. True when done: then beta_0 .. beta_{d-1} of each of these steps have been appended to `betti`.
+    bool evaluate(const Deadline& deadline, std::vector<std::uint32_t>& betti);
 
     std::uint64_t live() const { return skeleton_.live() + complement_.live(); }
     std::uint64_t changes() const { return skeleton_.changes() + complement_.changes(); }
@@ -43,6 +46,8 @@ private:
     std::vector<std::int64_t> euler_;  // of the pending steps
     std::vector<int> dimension_;       // of D(L) at the pending steps
     std::int64_t euler_now_ = 0;
+
+    std::optional<ComponentCount> skeleton_count_, complement_count_;  // of an evaluation under way
 
     TemporalGraph skeleton_;
     std::vector<TemporalGraph::Edge> skeleton_edge_;  // by edge index

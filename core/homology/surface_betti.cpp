@@ -23,17 +23,22 @@ void SurfaceBetti::record(Step step, const SurfaceTracker& surface, std::uint32_
     euler_.push_back(std::int64_t{surface.vertex_count()} - std::int64_t{surface.triangle_count()} / 2);
 }
 
-void SurfaceBetti::evaluate(std::vector<std::uint32_t>& betti) {
-    if (euler_.empty()) return;
+bool SurfaceBetti::evaluate(const Deadline& deadline, std::vector<std::uint32_t>& betti) {
+    if (euler_.empty()) return true;
     const Step last = first_pending_ + static_cast<Step>(euler_.size()) - 1;
-    const auto components = graph_.count_components(first_pending_, last);
+    if (!count_) count_.emplace(graph_, first_pending_, last);
+    if (!count_->advance(deadline)) return false;
     for (std::size_t i = 0; i < euler_.size(); ++i) {
-        betti.push_back(components[i]);
-        betti.push_back(static_cast<std::uint32_t>(2 * std::int64_t{components[i]} - euler_[i]));
-        betti.push_back(components[i]);
+        const std::uint32_t components = count_->components()[i];
+        betti.push_back(components);
+        betti.push_back(static_cast<std::uint32_t>(2 * std::int64_t{components} - euler_[i]));
+        betti.push_back(components);
     }
+    count_.reset();
+    graph_.forget_ended();
     first_pending_ = last + 1;
     euler_.clear();
+    return true;
 }
 
 std::uint64_t SurfaceBetti::memory() const {

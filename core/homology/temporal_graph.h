@@ -7,9 +7,8 @@
 
 namespace plateau {
 
-/// A graph whose nodes and edges come and go with the steps, and the number of its connected components at every step.
-/// Counting runs over blocks of steps: what lives through the block is contracted, the rest goes through divide and
-/// conquer with a union-find that can be rolled back. Lifespans are half-open: [from, to).
+/// A graph whose nodes and edges come and go with the steps. Lifespans are half-open: [from, to). ComponentCount counts
+/// its components over blocks of steps.
 class TemporalGraph {
 public:
     using Node = std::uint32_t;
@@ -23,9 +22,8 @@ public:
     /// Ends an edge once; later calls and kNone do nothing.
     void end_edge(Edge edge, Step to);
 
-    /// Number of components at each of the steps first .. last, and forgets what ended by last + 1. Steps come in
-    /// order: each call starts where the one before ended. Cost: O(live + changes log(block)) times union-find.
-    std::vector<std::uint32_t> count_components(Step first, Step last);
+    /// Forgets what has ended; after the steps so far have been counted.
+    void forget_ended();
 
     /// Size of what lives now, and the number of changes since the last count: what decides the length of a block.
     std::uint64_t live() const { return live_nodes_ + live_edges_; }
@@ -33,21 +31,13 @@ public:
     std::uint64_t memory() const;
 
 private:
+    friend class ComponentCount;
     struct Span {
         Step from = 0, to = 0;  // an empty span is a free slot
     };
     struct Ends {
         Node a = 0, b = 0;
     };
-    struct BlockEdge {
-        Node a, b;
-        Span span;
-    };
-    class UnionFind;
-
-    void divide(Step first, Step last, std::vector<BlockEdge>& edges, std::size_t begin, std::size_t end,
-                UnionFind& sets, std::uint32_t merged, std::vector<std::uint32_t>& merged_at, Step block_first);
-
     std::vector<Span> nodes_;
     std::vector<Span> edge_spans_;
     std::vector<Ends> edge_ends_;

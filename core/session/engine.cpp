@@ -71,7 +71,7 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
     if (embedded_) embedded_->record(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, faces_);
     if (options_.family == Family::Witness) {
         const auto betti = general_betti(timeline_.simplices, 0, step, timeline_.dimension, options_.field);
-        general_.insert(general_.end(), betti.begin(), betti.end());
+        complex_numbers_.insert(complex_numbers_.end(), betti.begin(), betti.end());
     }
     return std::nullopt;
 }
@@ -91,19 +91,16 @@ bool Engine::block_is_full() const {
     return changes_ >= std::max(kSmallestBlock, live / 2);
 }
 
-void Engine::evaluate() {
+bool Engine::evaluate(const Deadline& deadline) {
+    if (embedded_ && !embedded_->evaluate(deadline, complex_numbers_)) return false;
+    if (surface_betti_ && !surface_betti_->evaluate(deadline, surface_numbers_)) return false;
     const Step first = timeline_.step_count + 1;
     const std::size_t d = timeline_.dimension;
-    std::vector<std::uint32_t> primary;
-    std::vector<std::uint32_t> surface;
-    if (embedded_) embedded_->evaluate(primary);
-    if (surface_betti_) surface_betti_->evaluate(surface);
-    if (options_.family == Family::Witness) primary.swap(general_);
     for (Step step = first; step <= inserted(); ++step) {
         const std::size_t at = (step - first) * d;
         const bool shows_surface =
-            options_.family == Family::Surface || (options_.family == Family::Auto && surface[at] > 0);
-        const auto& shown = shows_surface ? surface : primary;
+            options_.family == Family::Surface || (options_.family == Family::Auto && surface_numbers_[at] > 0);
+        const auto& shown = shows_surface ? surface_numbers_ : complex_numbers_;
         const auto begin = shown.begin() + static_cast<std::ptrdiff_t>(at);
         timeline_.betti.insert(timeline_.betti.end(), begin, begin + static_cast<std::ptrdiff_t>(d));
         const Family complex = options_.family == Family::Auto ? Family::Delaunay : options_.family;
@@ -111,7 +108,10 @@ void Engine::evaluate() {
         timeline_.step_count = step;
         extend_hash(step);
     }
+    complex_numbers_.clear();
+    surface_numbers_.clear();
     changes_ = 0;
+    return true;
 }
 
 // Step, landmark, bits of epsilon, births, deaths, surface rows, shown family and Betti numbers.

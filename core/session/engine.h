@@ -45,8 +45,9 @@ public:
 
     /// Whether enough has changed since the last evaluation to make the next one worth its cost.
     bool block_is_full() const;
-    /// Betti numbers and hash of all inserted steps: afterwards timeline.step_count is the number of insertions.
-    void evaluate();
+    /// Works until the deadline on the Betti numbers and the hash of all inserted steps. True when done: then
+    /// timeline.step_count is the number of insertions. Nothing may be inserted while an evaluation is under way.
+    bool evaluate(const Deadline& deadline);
 
     Step inserted() const { return static_cast<Step>(timeline_.landmarks.size()); }
     const Timeline& timeline() const { return timeline_; }
@@ -67,8 +68,9 @@ private:
     std::optional<SurfaceTracker> surface_;
     std::optional<EmbeddedBetti> embedded_;
     std::optional<SurfaceBetti> surface_betti_;
-    std::vector<std::uint32_t> general_;  // Betti numbers of pending steps, family witness
-    std::uint64_t changes_ = 0;           // since the last evaluation
+    std::vector<std::uint32_t> complex_numbers_;  // Betti numbers of pending steps: of the complex,
+    std::vector<std::uint32_t> surface_numbers_;  // and of the surface
+    std::uint64_t changes_ = 0;                   // since the last evaluation
     Fnv1a64 hash_;
 };
 

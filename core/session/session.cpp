@@ -32,13 +32,13 @@ struct Session::State {
     PointCloud cloud;
     RunOptions options;
     Engine engine;
-    RunState state = RunState::Preparing;
+    bool prepared = false;
+    RunState end = RunState::Running;  // Finished or Stopped once no more is to be inserted
     std::optional<Error> stopped;
-    double pending_ms = 0;     // spent on steps that are not evaluated yet
-    double evaluation_ms = 0;  // cost of the last evaluation
+    bool evaluating = false;  // a block of steps is being evaluated; it is finished before the next insertion
 
+    bool all_evaluated() const { return engine.timeline().step_count == engine.inserted(); }
     void insert_next();
-    void evaluate();
 };
 
 Result<Session> Session::open(PointCloud cloud, const RunOptions& options) {
@@ -65,24 +65,23 @@ Session::~Session() = default;
 Progress Session::run(const Budget& budget) {
     State& s = *state_;
     const Deadline deadline(budget.milliseconds);
-    if (s.state == RunState::Preparing && s.engine.prepare(deadline)) s.state = RunState::Running;
+    if (!s.prepared) s.prepared = s.engine.prepare(deadline);
+    if (!s.prepared) return progress();
 
-    const Step steps_before = s.engine.timeline().step_count;
     std::uint32_t inserted = 0;
-    double counted_ms = deadline.elapsed_ms();
-    while (s.state == RunState::Running && inserted < budget.steps) {
-        s.insert_next();
-        ++inserted;
-        const double now_ms = deadline.elapsed_ms();
-        s.pending_ms += now_ms - counted_ms;
-        counted_ms = now_ms;
-        if (s.engine.block_is_full()) s.evaluate();
-        if (deadline.passed()) break;
-    }
-    // Evaluating a block early costs as much as a whole one: under a budget of time only when the wait outweighs it.
-    const bool nothing_returned = s.engine.timeline().step_count == steps_before;
-    const bool worth_it = nothing_returned && s.pending_ms >= 4 * s.evaluation_ms;
-    if (s.state != RunState::Running || inserted == budget.steps || worth_it) s.evaluate();
+    do {
+        if (s.evaluating) {
+            s.evaluating = !s.engine.evaluate(deadline);
+        } else if (s.end == RunState::Running && inserted < budget.steps) {
+            s.insert_next();
+            ++inserted;
+            s.evaluating = s.engine.block_is_full();
+        } else if (s.all_evaluated()) {
+            break;
+        } else {
+            s.evaluating = true;
+        }
+    } while (!deadline.passed());
     return progress();
 }
 
@@ -90,41 +89,33 @@ void Session::State::insert_next() {
     const std::uint32_t next = engine.inserted() == 0 ? options.first : engine.farthest();
     if (auto failure = engine.insert(next)) {
         stopped = std::move(failure);
-        state = RunState::Stopped;
+        end = RunState::Stopped;
         return;
     }
     const double epsilon_squared = engine.epsilon_squared();
     const bool done = engine.inserted() == std::min(cloud.size(), options.max_steps) || epsilon_squared == 0 ||
                       std::sqrt(epsilon_squared) <= options.until_epsilon;
     if (done) {
-        state = RunState::Finished;
+        end = RunState::Finished;
     } else if (engine.memory() > options.memory_limit) {
         stopped = Error{ErrorCode::OutOfMemory,
                         "Stopped after " + std::to_string(engine.inserted()) + " of " + std::to_string(cloud.size()) +
                             " points: the run holds more than " + in_megabytes(options.memory_limit) +
                             ". On a curve in space the Delaunay triangulation grows with the square of the number of "
                             "landmarks. All steps so far are complete."};
-        state = RunState::Stopped;
+        end = RunState::Stopped;
     }
-}
-
-void Session::State::evaluate() {
-    if (engine.timeline().step_count == engine.inserted()) return;
-    const Deadline clock(0);
-    engine.evaluate();
-    evaluation_ms = clock.elapsed_ms();
-    pending_ms = 0;
 }
 
 Progress Session::progress() const {
     const State& s = *state_;
     const Timeline& timeline = s.engine.timeline();
     Progress progress;
-    progress.state = s.state;
+    if (s.prepared) progress.state = s.all_evaluated() ? s.end : RunState::Running;
     progress.steps_done = timeline.step_count;
     progress.steps_planned = std::min(s.cloud.size(), s.options.max_steps);
     progress.epsilon = timeline.step_count == 0 ? 0 : timeline.epsilon(timeline.step_count);
-    progress.stopped = s.stopped;
+    if (progress.state == RunState::Stopped) progress.stopped = s.stopped;
     return progress;
 }
 

@@ -56,9 +56,10 @@ public:
     Session& operator=(Session&&) noexcept;
     ~Session();
 
-    /// Works until the budget is spent: at least one slice of preparation or one step, whole steps only. A step is
-    /// returned when its Betti numbers are known; they are evaluated in blocks, so a call may return none and a later
-    /// one many. After a call with infinite time, and after the last step, no step is pending.
+    /// Works until the budget is spent: at least one slice of preparation, one step, or a part of an evaluation. Steps
+    /// are complete when their Betti numbers are known, which are evaluated in blocks of steps whose length the data
+    /// decide; so under a budget of time a call may complete no step and a later one many. A budget of steps, and the
+    /// end of the run, evaluate the block they cut: with infinite time no step is left behind.
     Progress run(const Budget& budget);
     Progress progress() const;
 
