@@ -2,7 +2,11 @@
 import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { projectFiles } from './files.mjs';
-import { Failure, root, run } from './run.mjs';
+import { Failure, privateEmscripten, root, run } from './run.mjs';
+
+const emscripten = existsSync(privateEmscripten)
+  ? join(privateEmscripten, 'usr/share/doc/emscripten')
+  : '/usr/share/doc/emscripten';
 
 /** What the built page contains, and where each says under which licence. */
 const bundled = [
@@ -11,7 +15,7 @@ const bundled = [
   { name: 'Boost', folder: /^libboost\d[\d.]*-dev$/ },
   { name: 'GUDHI', folder: '/usr/share/doc/libgudhi-dev' },
   { name: 'Eigen', folder: '/usr/share/doc/libeigen3-dev' },
-  { name: 'Emscripten runtime and C++ library', folder: '/usr/share/doc/emscripten' },
+  { name: 'Emscripten runtime and C++ library', folder: emscripten },
 ];
 
 function licenceText({ name, folder }) {
