@@ -1,6 +1,7 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { PlateauModule } from 'plateau-module';
 import { SAMPLES } from '../../web/src/app/samples.ts';
+import type { CloudSource } from '../../web/src/worker/protocol.ts';
 import { file, loadModule, opened, runThrough, sample } from '../wasm/module.ts';
 import { cases, commandHash, full, title } from './cases.ts';
 
@@ -27,16 +28,18 @@ describe('the module computes what the command computes', () => {
     '$title',
     (one) => {
       const expected = commandHash(one);
-      const sources = [file(one.fileName, one.text)];
-      if (one.sample) sources.push(sample(one.sample.shape, one.sample.size));
-      for (const source of sources) {
-        for (const budget of [1, Infinity]) {
-          const run = new module.Run(source, { family: one.family });
-          opened(run);
-          runThrough(run, budget);
-          expect(run.hash(), `${source.kind}, budget ${budget} ms`).toBe(expected);
-          run.delete();
-        }
+      const points = file(one.fileName, one.text);
+      const runs: [CloudSource, number][] = [
+        [points, 1],
+        [points, Infinity],
+      ];
+      if (one.sample) runs.push([sample(one.sample.shape, one.sample.size), Infinity]);
+      for (const [source, budget] of runs) {
+        const run = new module.Run(source, { family: one.family });
+        opened(run);
+        runThrough(run, budget);
+        expect(run.hash(), `${source.kind}, budget ${budget} ms`).toBe(expected);
+        run.delete();
       }
     },
     timeout,
