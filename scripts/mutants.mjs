@@ -30,16 +30,13 @@ class Workshop {
   constructor() {
     this.folder = mkdtempSync(join(tmpdir(), 'plateau-mutants-'));
     this.build = join(this.folder, 'build');
+    this.clean = join(this.folder, 'clean');
     for (const path of copied) {
       if (existsSync(join(root, path)))
         cpSync(join(root, path), join(this.folder, path), { recursive: true });
     }
-    // Optimization is not what is tested here, and -O1 compiles faster.
-    const flags = [
-      '-DCMAKE_BUILD_TYPE=Release',
-      '-DCMAKE_CXX_FLAGS_RELEASE=-O1',
-      '-DPLATEAU_TEST_TIMEOUT=100',
-    ];
+    // Optimization is not what is tested here, and -O1 compiles faster. A build type has flags of its own; None has none.
+    const flags = ['-DCMAKE_BUILD_TYPE=None', '-DCMAKE_CXX_FLAGS=-O1', '-DPLATEAU_TEST_TIMEOUT=100'];
     const configured = capture('cmake', ['-S', this.folder, '-B', this.build, '-G', 'Ninja', ...flags]);
     if (!configured.ok)
       throw new Failure(`The copy could not be configured:\n${configured.out}${configured.err}`);
@@ -62,15 +59,33 @@ class Workshop {
     return { ran: [...text.matchAll(/<testcase/g)].length, passed: ok, out };
   }
 
+  /** Keeps what the unchanged tree was built into, with its times to the nanosecond. */
+  remember() {
+    this.copy(this.build, this.clean);
+  }
+
+  copy(from, to) {
+    rmSync(to, { recursive: true, force: true });
+    const copied = capture('cp', ['-a', from, to]);
+    if (!copied.ok) throw new Failure(`The build could not be copied:\n${copied.err}`);
+  }
+
+  /**
+   * Writes the fault into the source. The function that it returns puts source and build back as they were, times
+   * included, so that nothing is compiled only to undo a fault.
+   */
   apply({ file, find, replace }) {
     const path = join(this.folder, file);
-    const original = readFileSync(path, 'utf8');
+    const kept = join(this.folder, 'original');
+    const exactly = (from, to) => capture('cp', ['-a', from, to]);
+    exactly(path, kept);
     // A function as replacement: `$` in the text means itself.
-    writeFileSync(
-      path,
-      original.replace(find, () => replace),
-    );
-    return () => writeFileSync(path, original);
+    const faulty = readFileSync(path, 'utf8').replace(find, () => replace);
+    writeFileSync(path, faulty);
+    return () => {
+      exactly(kept, path);
+      this.copy(this.clean, this.build);
+    };
   }
 
   dispose() {
@@ -127,6 +142,7 @@ export async function runMutants({ only } = {}) {
     const pattern = [...new Set(mutants.map(({ test }) => `(${test})`))].join('|');
     const before = workshop.test(pattern);
     if (!before.passed) throw new Failure(`The tests fail without any mutant:\n${before.out}`);
+    workshop.remember();
     for (const mutant of mutants) {
       const from = performance.now();
       const { verdict, note } = judge(workshop, mutant);
