@@ -134,6 +134,12 @@ export async function runMutants({ only } = {}) {
     throw new Failure(`mutants.json does not fit the sources:\n  ${defects.join('\n  ')}`);
 
   const workshop = new Workshop();
+  const interrupted = () => {
+    workshop.dispose();
+    process.exit(130);
+  };
+  process.once('SIGINT', interrupted);
+  process.once('SIGTERM', interrupted);
   let bad = 0;
   try {
     console.log('Building the unchanged tree.');
@@ -144,6 +150,8 @@ export async function runMutants({ only } = {}) {
     if (!before.passed) throw new Failure(`The tests fail without any mutant:\n${before.out}`);
     workshop.remember();
     for (const mutant of mutants) {
+      // A turn of the event loop, in which an interruption is heard.
+      await new Promise((resolve) => setImmediate(resolve));
       const from = performance.now();
       const { verdict, note } = judge(workshop, mutant);
       if (verdict !== 'caught') bad += 1;
@@ -153,6 +161,8 @@ export async function runMutants({ only } = {}) {
       );
     }
   } finally {
+    process.off('SIGINT', interrupted);
+    process.off('SIGTERM', interrupted);
     workshop.dispose();
   }
   if (bad > 0) throw new Failure(`${bad} of ${mutants.length} mutants were not caught`);
