@@ -89,9 +89,12 @@ std::optional<std::string_view> foreign_kind(std::string_view bytes) {
 }
 
 FileFormat detect_format(std::string_view bytes, std::string_view extension) {
-    if (is_ply(bytes) || extension == "ply") return FileFormat::Ply;
-    if (begins_as_npy(bytes) || extension == "npy") return FileFormat::Npy;
-    if (begins_as_pcd(bytes) || extension == "pcd") return FileFormat::Pcd;
+    if (is_ply(bytes)) return FileFormat::Ply;
+    if (begins_as_npy(bytes)) return FileFormat::Npy;
+    if (begins_as_pcd(bytes)) return FileFormat::Pcd;
+    if (extension == "ply") return FileFormat::Ply;
+    if (extension == "npy") return FileFormat::Npy;
+    if (extension == "pcd") return FileFormat::Pcd;
     if (extension == "off" || off_keyword_length(first_content_line(bytes)) > 0) return FileFormat::Off;
     if (extension == "obj") return FileFormat::Obj;
     const bool named_table = extension == "xyz" || extension == "txt" || extension == "csv";
