@@ -66,7 +66,36 @@ std::vector<Seed> valid_files() {
 }
 
 std::string mutated(std::string bytes, Random& random) {
-    constexpr std::string_view kPieces[] = {"\n"sv, "\r"sv, " "sv, ","sv, ";"sv, "-"sv, "nan"sv, "1e999"sv, "\0"sv, "\xFF"sv, "#"sv, "list"sv, "0"sv, "vertex"sv, "element"sv, "99999999999999999999"sv, "4294967295"sv, "v "sv, "OFF"sv, "ply\n"sv, "double"sv, "end_header\n"sv, "# .PCD"sv, "binary\n"sv, "_compressed\n"sv, "COUNT"sv, "<u1"sv, "True"sv, "("sv, "'"sv};
+    constexpr std::string_view kPieces[] = {"\n"sv,
+                                            "\r"sv,
+                                            " "sv,
+                                            ","sv,
+                                            ";"sv,
+                                            "-"sv,
+                                            "nan"sv,
+                                            "1e999"sv,
+                                            "\0"sv,
+                                            "\xFF"sv,
+                                            "#"sv,
+                                            "list"sv,
+                                            "0"sv,
+                                            "vertex"sv,
+                                            "element"sv,
+                                            "99999999999999999999"sv,
+                                            "4294967295"sv,
+                                            "v "sv,
+                                            "OFF"sv,
+                                            "ply\n"sv,
+                                            "double"sv,
+                                            "end_header\n"sv,
+                                            "# .PCD"sv,
+                                            "binary\n"sv,
+                                            "_compressed\n"sv,
+                                            "COUNT"sv,
+                                            "<u1"sv,
+                                            "True"sv,
+                                            "("sv,
+                                            "'"sv};
     const std::uint64_t changes = 1 + random.next_bits() % 4;
     for (std::uint64_t k = 0; k < changes; ++k) {
         const std::size_t at = random.next_bits() % (bytes.size() + 1);
