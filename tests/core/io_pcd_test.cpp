@@ -150,7 +150,7 @@ TEST(PcdReader, EveryTypeOfNumber) {
 
 TEST(PcdReader, PointsWithoutCoordinatesAreLeftOutAndCounted) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const std::vector<float> values = {1, -2, 3, nan, nan, nan, 4, 5, 6, 0, 0, -nan};
+    const std::vector<float> values = {1, -2, 3, nan, nan, nan, 4, 5, 6, -nan, 0, 0};
     std::string rows;
     for (const float value : values) rows += packed(value, false);
     std::string columns;
@@ -159,7 +159,7 @@ TEST(PcdReader, PointsWithoutCoordinatesAreLeftOutAndCounted) {
     }
     std::string organized = header(kXyz, 4, "ascii");
     organized.replace(organized.find("WIDTH 4\nHEIGHT 1"), 16, "WIDTH 2\nHEIGHT 2");
-    const std::string files[] = {organized + "1 -2 3\nnan nan nan\n4 5 6\n0 0 -NaN\n", header(kXyz, 4, "binary") + rows,
+    const std::string files[] = {organized + "1 -2 3\nnan nan nan\n4 5 6\n-NaN 0 0\n", header(kXyz, 4, "binary") + rows,
                                  header(kXyz, 4, "binary_compressed") + compressed_block(columns)};
     for (const std::string& bytes : files) {
         const ReadCloud got = read(bytes);
@@ -167,7 +167,7 @@ TEST(PcdReader, PointsWithoutCoordinatesAreLeftOutAndCounted) {
         EXPECT_EQ(got.warnings, std::vector<std::string>{"Left out 2 of 4 points, which have no coordinates (NaN)."});
     }
     // Only what is asked for counts.
-    EXPECT_EQ(read(files[0], {.columns = {1, 2}}).cloud.coordinates, (Numbers{1, -2, 4, 5, 0, 0}));
+    EXPECT_EQ(read(files[0], {.columns = {2, 3}}).cloud.coordinates, (Numbers{-2, 3, 5, 6, 0, 0}));
     const Error error = failure(header(kXyz, 2, "ascii") + "nan nan nan\nnan 1 1\n");
     EXPECT_EQ(error.code, ErrorCode::EmptyInput);
     EXPECT_EQ(error.message, "None of the 2 points of this PCD file has coordinates.");
