@@ -7,6 +7,7 @@ import { byId } from './dom.ts';
 import { acceptDrops } from './file-drop.ts';
 import { listenToKeys } from './keyboard.ts';
 import { Page } from './page.ts';
+import { acceptPastes } from './paste.ts';
 import { SAMPLES } from './samples.ts';
 import { saveFile } from './save-file.ts';
 import { fileStem, parseList, sourceName, startFrom } from './source.ts';
@@ -26,6 +27,7 @@ fileInput.addEventListener('change', () => {
   if (file) openFile(file);
 });
 acceptDrops(byId('plateau', HTMLElement), openFile);
+acceptPastes(openFile);
 
 sampleSelect.append(
   new Option('Choose …', ''),
