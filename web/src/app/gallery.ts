@@ -51,7 +51,7 @@ export class Gallery {
       canvas,
       line('card-shape', sample.label),
       line('card-counts', sample.lookFor),
-      line('card-scale', `${sample.provenance} · ${sample.size.toLocaleString('en')} points`),
+      line('card-scale', `${sample.provenance} · ${sample.size.toLocaleString('en')}\u00a0points`),
     );
     button.addEventListener('click', choose);
     return button;

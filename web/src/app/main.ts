@@ -74,7 +74,10 @@ byId('export-csv', HTMLButtonElement).addEventListener('click', () => void saveE
 byId('export-ply', HTMLButtonElement).addEventListener('click', () => void saveExport('mesh-ply'));
 byId('export-svg', HTMLButtonElement).addEventListener('click', () => {
   const { record, currentCards, currentChoice } = page;
-  if (!record || !currentChoice) return;
+  if (!record || !currentChoice) {
+    page.showError('There is nothing to save yet.');
+    return;
+  }
   const title = `Betti numbers over 1/ε: ${sourceName(currentChoice)}`;
   const svg = diagramSvg(record, currentCards, title, page.axisKind);
   saveFile(`${fileStem(currentChoice)}-diagram.svg`, 'image/svg+xml', svg);

@@ -230,6 +230,7 @@ export class Page {
   /** Where nothing was opened yet, the way in is shown. */
   showEmpty(): void {
     byId('empty', HTMLElement).hidden = this.choice !== undefined;
+    byId('film', HTMLElement).inert = byId('tools', HTMLElement).inert = this.choice === undefined;
     if (!this.choice) this.root.dataset['runState'] = 'empty';
   }
 

@@ -52,9 +52,10 @@ export class ViewTools {
     const length = decade * ([5, 2].find((factor) => factor * decade <= most) ?? 1);
     this.bar.hidden = false;
     this.barLength.style.width = `${length / unitsPerPixel}px`;
-    const text = readable(length)
+    const amount = readable(length)
       .replace(/(\.\d*?)0+$/, '$1')
       .replace(/\.$/, '');
+    const text = `${amount} ${length === 1 ? 'unit' : 'units'}`;
     if (this.barText.textContent !== text) this.barText.textContent = text;
   };
 
