@@ -24,6 +24,14 @@ for (const [device, viewport] of Object.entries(SIZES)) {
       await expect(root(page)).toHaveAttribute('data-run-state', 'finished', { timeout: 120_000 });
       await page.locator('.cards button[data-betti="1,2,1"]').first().click();
       await take('torus-plateau');
+      if (device === 'desktop') {
+        await page.keyboard.press('x');
+        await page.keyboard.press('c');
+        await page.getByText('Landmarks', { exact: true }).hover();
+        await take('section-by-age');
+        await page.keyboard.press('x');
+        await page.keyboard.press('c');
+      }
       await page.locator('.cards button[data-betti="1,1,0"]').first().click();
       await take('curve-plateau');
       await drop(page, 'ragged.xyz', '0 0 0\n1 1 1\n1 0\n');
