@@ -103,3 +103,6 @@ export const SAMPLES: readonly Sample[] = [
     lookFor: 'One loop with sharp corners: one piece and one loop all the same.',
   },
 ];
+
+/** The shapes that the module computes: all but the measured one. */
+export const COMPUTED_SAMPLES = SAMPLES.filter(({ shape }) => shape !== BUNNY);
