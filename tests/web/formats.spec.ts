@@ -90,6 +90,7 @@ test('a pasted file is opened', async ({ page }) => {
 });
 
 test('a field for text keeps what is pasted into it', async ({ page }) => {
+  await page.getByText('Settings', { exact: true }).click();
   const field = page.getByRole('textbox', { name: 'ν' });
   await field.focus();
   await pasteText(page, '1, 3, 4, 4');
