@@ -65,7 +65,8 @@ std::optional<Error> complete(RunArguments& run, const RawText& raw) {
 }
 
 void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
-    app.add_option("INPUT", run.input, "Point file (.xyz .txt .csv .ply .off .obj), - for standard input")->required();
+    app.add_option("INPUT", run.input, "Point file (.xyz .txt .csv .ply .off .obj .pcd .npy), - for standard input")
+        ->required();
     app.add_option("--family", raw.family, "witness, delaunay, surface or auto [plane: delaunay, space: auto]");
     app.add_option("--nu", raw.nu, "Ranks of the witnesses by dimension, such as 1,6,6,4 [as the family]");
     app.add_option("--first", run.options.first, "Input index of the first landmark, from 0")->capture_default_str();

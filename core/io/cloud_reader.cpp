@@ -26,6 +26,10 @@ std::unique_ptr<FormatReader> make_reader(std::string_view bytes, std::string_vi
             return make_off_reader(bytes, sink);
         case FileFormat::Obj:
             return make_obj_reader(bytes, sink);
+        case FileFormat::Pcd:
+            return make_pcd_reader(bytes, sink);
+        case FileFormat::Npy:
+            return make_npy_reader(bytes, sink);
         case FileFormat::Table:
             break;
     }
@@ -48,9 +52,9 @@ struct CloudReader::State {
         if (view.find_first_not_of(" \t\r\n") == std::string_view::npos) {
             error = Error{ErrorCode::EmptyInput, "The file is empty."};
         } else if (const auto kind = foreign_kind(view)) {
-            error =
-                Error{ErrorCode::UnknownFormat, "This seems to be " + std::string(*kind) +
-                                                    ". Points are read from .xyz, .txt, .csv, .ply, .off and .obj."};
+            error = Error{ErrorCode::UnknownFormat,
+                          "This seems to be " + std::string(*kind) +
+                              ". Points are read from .xyz, .txt, .csv, .ply, .off, .obj, .pcd and .npy."};
         } else {
             reader = make_reader(view, extension_of(file_name), sink);
         }

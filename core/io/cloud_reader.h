@@ -13,7 +13,8 @@ namespace plateau {
 
 struct ReadOptions {
     /// 1-based columns that are the coordinates, in this order: two or three, no two alike. Empty: the reader decides.
-    /// Columns of a table are its fields, of a PLY file the single-valued vertex properties, else the coordinates.
+    /// Columns of a table are its fields, of a PLY file the single-valued vertex properties,
+    /// of a PCD file the values of a point, of a NumPy array those of a row, else the coordinates.
     std::vector<std::uint32_t> columns;
 };
 
@@ -23,9 +24,10 @@ struct ReadCloud {
     std::uint32_t columns_in_file = 0;
 };
 
-/// Reads the bytes of a point file in slices: tables (.xyz .txt .csv), .ply (ascii and binary), .off and .obj
-/// (vertices). PLY and OFF are told by their first word, the others by the name's ending or, without one that is known,
-/// by content. The same bytes give the same cloud on every machine.
+/// Reads the bytes of a point file in slices: tables (.xyz .txt .csv), .ply (ascii and binary), .off, .obj (vertices),
+/// .pcd (ascii, binary and compressed) and .npy (two-dimensional arrays of real numbers). PLY, OFF, PCD and NumPy files
+/// are told by how they begin, the others by the name's ending or, without one that is known, by content. The same
+/// bytes give the same cloud on every machine.
 ///
 /// Errors name the line: EmptyInput, TooFewPoints (one point, or all equal), NotANumber, RaggedRows, MalformedInput,
 /// UnknownFormat (a file of another kind, which the sentence names), UnsupportedDimension (more than three columns and

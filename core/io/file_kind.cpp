@@ -3,6 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "io/npy_header.h"
+#include "io/pcd_header.h"
 #include "io/text.h"
 
 namespace plateau {
@@ -31,11 +33,9 @@ constexpr std::array kMagics = {
           "ELF"sv,
           "a program"},
     Magic{"\0asm"sv, "a WebAssembly module"},
-    Magic{"\x93NUMPY"sv, "a NumPy array; save it as text, for instance with numpy.savetxt"},
     Magic{"\x89HDF"sv, "an HDF5 file"},
     Magic{"glTF"sv, "a glTF scene"},
     Magic{"LASF"sv, "a LAS laser scan; convert it to PLY or text first"},
-    Magic{"# .PCD"sv, "a PCD point cloud; convert it to PLY or text first"},
     Magic{"# vtk"sv, "a VTK file; convert it to PLY or text first"},
     Magic{"solid "sv, "an STL mesh; convert it to PLY, OFF or OBJ first"},
     Magic{"\xFF\xFE"sv, "UTF-16 text; save it as UTF-8"},
@@ -44,16 +44,6 @@ constexpr std::array kMagics = {
 
 bool is_ply(std::string_view bytes) {
     return bytes.starts_with("ply") && bytes.size() > 3 && (bytes[3] == '\n' || bytes[3] == '\r' || bytes[3] == ' ');
-}
-
-/// Comment lines are passed over, so an OFF file may begin with some.
-std::string_view first_content_line(std::string_view bytes) {
-    LineScanner lines(bytes);
-    while (const auto line = lines.next()) {
-        const std::string_view content = trimmed(*line);
-        if (!content.empty() && content[0] != '#') return content;
-    }
-    return {};
 }
 
 /// A line "v" with at least two numbers among the first ones.
@@ -93,12 +83,18 @@ std::optional<std::string_view> foreign_kind(std::string_view bytes) {
     const std::string_view content = trimmed(bytes.substr(0, kBytesToLookAt));
     if (content.starts_with("<")) return "a web page or XML";
     if (content.starts_with("{") || content.starts_with("[")) return "JSON";
-    if (!is_ply(bytes) && bytes.substr(0, kBytesToLookAt).find('\0') != std::string_view::npos) return "binary data";
+    const bool may_hold_zeros = is_ply(bytes) || begins_as_pcd(bytes) || begins_as_npy(bytes);
+    if (!may_hold_zeros && bytes.substr(0, kBytesToLookAt).find('\0') != std::string_view::npos) return "binary data";
     return std::nullopt;
 }
 
 FileFormat detect_format(std::string_view bytes, std::string_view extension) {
-    if (is_ply(bytes) || extension == "ply") return FileFormat::Ply;
+    if (is_ply(bytes)) return FileFormat::Ply;
+    if (begins_as_npy(bytes)) return FileFormat::Npy;
+    if (begins_as_pcd(bytes)) return FileFormat::Pcd;
+    if (extension == "ply") return FileFormat::Ply;
+    if (extension == "npy") return FileFormat::Npy;
+    if (extension == "pcd") return FileFormat::Pcd;
     if (extension == "off" || off_keyword_length(first_content_line(bytes)) > 0) return FileFormat::Off;
     if (extension == "obj") return FileFormat::Obj;
     const bool named_table = extension == "xyz" || extension == "txt" || extension == "csv";

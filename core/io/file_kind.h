@@ -6,7 +6,7 @@
 
 namespace plateau {
 
-enum class FileFormat : unsigned char { Table, Ply, Off, Obj };
+enum class FileFormat : unsigned char { Table, Ply, Off, Obj, Pcd, Npy };
 
 /// What a file that is no point file seems to be ("a PNG picture"), by its first bytes; nothing if it may be one.
 std::optional<std::string_view> foreign_kind(std::string_view bytes);

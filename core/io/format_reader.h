@@ -30,5 +30,10 @@ std::unique_ptr<FormatReader> make_ply_reader(std::string_view bytes, RowSink& s
 std::unique_ptr<FormatReader> make_off_reader(std::string_view bytes, RowSink& sink);
 /// Wavefront object: the lines of vertices.
 std::unique_ptr<FormatReader> make_obj_reader(std::string_view bytes, RowSink& sink);
+/// Point Cloud Library, versions 0.5 to 0.7: ascii, binary, binary_compressed; points without coordinates (NaN) are
+/// left out, with a warning that counts them.
+std::unique_ptr<FormatReader> make_pcd_reader(std::string_view bytes, RowSink& sink);
+/// NumPy array, versions 1 to 3, of one point a row: integers and floats of both byte orders, by rows or by columns.
+std::unique_ptr<FormatReader> make_npy_reader(std::string_view bytes, RowSink& sink);
 
 }  // namespace plateau

@@ -10,28 +10,28 @@ namespace {
 
 struct TypeName {
     std::string_view name;
-    PlyType type;
+    NumberType type;
 };
 constexpr std::array<TypeName, 16> kTypeNames = {{
-    {"char", PlyType::Int8},
-    {"int8", PlyType::Int8},
-    {"uchar", PlyType::Uint8},
-    {"uint8", PlyType::Uint8},
-    {"short", PlyType::Int16},
-    {"int16", PlyType::Int16},
-    {"ushort", PlyType::Uint16},
-    {"uint16", PlyType::Uint16},
-    {"int", PlyType::Int32},
-    {"int32", PlyType::Int32},
-    {"uint", PlyType::Uint32},
-    {"uint32", PlyType::Uint32},
-    {"float", PlyType::Float32},
-    {"float32", PlyType::Float32},
-    {"double", PlyType::Float64},
-    {"float64", PlyType::Float64},
+    {"char", NumberType::Int8},
+    {"int8", NumberType::Int8},
+    {"uchar", NumberType::Uint8},
+    {"uint8", NumberType::Uint8},
+    {"short", NumberType::Int16},
+    {"int16", NumberType::Int16},
+    {"ushort", NumberType::Uint16},
+    {"uint16", NumberType::Uint16},
+    {"int", NumberType::Int32},
+    {"int32", NumberType::Int32},
+    {"uint", NumberType::Uint32},
+    {"uint32", NumberType::Uint32},
+    {"float", NumberType::Float32},
+    {"float32", NumberType::Float32},
+    {"double", NumberType::Float64},
+    {"float64", NumberType::Float64},
 }};
 
-std::optional<PlyType> type_named(std::string_view name) {
+std::optional<NumberType> type_named(std::string_view name) {
     for (const TypeName& known : kTypeNames) {
         if (known.name == name) return known.type;
     }
@@ -76,31 +76,13 @@ bool read_property(const Fields& fields, PlyHeader& header) {
     property.type = *type;
     if (is_list) {
         property.list_count_type = type_named(fields[2]);
-        if (!property.list_count_type || *property.list_count_type >= PlyType::Float32) return false;
+        if (!property.list_count_type || *property.list_count_type >= NumberType::Float32) return false;
     }
     header.elements.back().properties.push_back(std::move(property));
     return true;
 }
 
 }  // namespace
-
-std::uint32_t byte_size(PlyType type) {
-    switch (type) {
-        case PlyType::Int8:
-        case PlyType::Uint8:
-            return 1;
-        case PlyType::Int16:
-        case PlyType::Uint16:
-            return 2;
-        case PlyType::Int32:
-        case PlyType::Uint32:
-        case PlyType::Float32:
-            return 4;
-        case PlyType::Float64:
-            break;
-    }
-    return 8;
-}
 
 bool PlyElement::has_list() const {
     return std::any_of(properties.begin(), properties.end(),

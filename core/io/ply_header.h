@@ -7,19 +7,16 @@
 #include <vector>
 
 #include "base/result.h"
+#include "io/binary_number.h"
 
 namespace plateau {
 
 enum class PlyEncoding : std::uint8_t { Ascii, LittleEndian, BigEndian };
-enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
-
-/// Bytes that a value of the type takes in a binary file.
-std::uint32_t byte_size(PlyType type);
 
 struct PlyProperty {
     std::string name;
-    PlyType type = PlyType::Float32;
-    std::optional<PlyType> list_count_type;  ///< set for a list: its length comes first, in this type
+    NumberType type = NumberType::Float32;
+    std::optional<NumberType> list_count_type;  ///< set for a list: its length comes first, in this type
 };
 
 struct PlyElement {

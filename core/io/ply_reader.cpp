@@ -1,48 +1,15 @@
 #include <array>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/binary_number.h"
 #include "io/format_reader.h"
 #include "io/ply_header.h"
 #include "io/text.h"
 
 namespace plateau {
 namespace {
-
-/// The value of a binary field as a double; every PLY type fits.
-double decode(const char* field, PlyType type, PlyEncoding encoding) {
-    const std::uint32_t size = byte_size(type);
-    std::uint64_t word = 0;
-    for (std::uint32_t k = 0; k < size; ++k) {
-        const std::uint32_t at = encoding == PlyEncoding::BigEndian ? k : size - 1 - k;
-        word = word << 8 | static_cast<unsigned char>(field[at]);
-    }
-    switch (type) {
-        case PlyType::Int8:
-            return static_cast<std::int8_t>(word);
-        case PlyType::Int16:
-            return static_cast<std::int16_t>(word);
-        case PlyType::Int32:
-            return static_cast<std::int32_t>(word);
-        case PlyType::Uint8:
-        case PlyType::Uint16:
-        case PlyType::Uint32:
-            return static_cast<double>(word);
-        case PlyType::Float32: {
-            const auto bits = static_cast<std::uint32_t>(word);
-            float number = 0;
-            std::memcpy(&number, &bits, sizeof number);
-            return number;
-        }
-        case PlyType::Float64:
-            break;
-    }
-    double number = 0;
-    std::memcpy(&number, &word, sizeof number);
-    return number;
-}
 
 class PlyReader : public FormatReader {
 public:
@@ -148,11 +115,13 @@ private:
             row_ = element.count;
             return std::nullopt;
         }
+        const bool big_endian = header_.encoding == PlyEncoding::BigEndian;
+        const ByteOrder order = big_endian ? ByteOrder::BigEndian : ByteOrder::LittleEndian;
         row_values_.clear();
         for (const PlyProperty& property : element.properties) {
-            const PlyType type = property.list_count_type.value_or(property.type);
+            const NumberType type = property.list_count_type.value_or(property.type);
             if (bytes_.size() - position_ < byte_size(type)) return file_ends_early();
-            const double value = decode(bytes_.data() + position_, type, header_.encoding);
+            const double value = decode_number(bytes_.data() + position_, type, order);
             position_ += byte_size(type);
             if (!property.list_count_type) {
                 row_values_.push_back(value);

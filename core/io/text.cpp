@@ -48,6 +48,12 @@ ParsedField parse_field(std::string_view field) {
     return {std::isfinite(value) ? FieldKind::Number : FieldKind::NotFinite, value};
 }
 
+bool is_nan(std::string_view field) {
+    if (!field.empty() && (field[0] == '+' || field[0] == '-')) field.remove_prefix(1);
+    const bool whole = field.size() == 3 || (field.size() > 3 && field[3] == '(' && field.back() == ')');
+    return whole && lower_case(field.substr(0, 3)) == "nan";
+}
+
 std::optional<std::uint64_t> parse_count(std::string_view field) {
     std::uint64_t count = 0;
     const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), count);
@@ -65,6 +71,15 @@ void split_at_blanks(std::string_view line, std::vector<std::string_view>& field
         while (at < line.size() && !is_blank(line[at])) ++at;
         fields.push_back(line.substr(begin, at - begin));
     }
+}
+
+std::string_view first_content_line(std::string_view text) {
+    LineScanner lines(text);
+    while (const auto line = lines.next()) {
+        const std::string_view content = trimmed(*line);
+        if (!content.empty() && content[0] != '#') return content;
+    }
+    return {};
 }
 
 std::string_view trimmed(std::string_view text) {

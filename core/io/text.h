@@ -42,11 +42,17 @@ struct ParsedField {
 /// read and is no part of a number (a separator, a line end or the end of a std::string).
 ParsedField parse_field(std::string_view field);
 
+/// "nan" in any case and with any sign, also as "nan(ind)": a number that is missing, unlike one out of range.
+bool is_nan(std::string_view field);
+
 /// A non-negative integer that fills the whole field and fits.
 std::optional<std::uint64_t> parse_count(std::string_view field);
 
 /// Fields between blanks and tabs, into `fields`.
 void split_at_blanks(std::string_view line, std::vector<std::string_view>& fields);
+
+/// The first line that is neither empty nor a comment after "#", without blanks at its ends; empty if there is none.
+std::string_view first_content_line(std::string_view text);
 
 /// Without blanks, tabs and other control characters at both ends.
 std::string_view trimmed(std::string_view text);

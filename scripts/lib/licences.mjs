@@ -32,7 +32,9 @@ function licenceText({ name, folder }) {
 export async function writeLicencesAndSource(folder) {
   const own = readFileSync(join(root, 'LICENSE'), 'utf8').trim();
   const head = `Plateau is free software under the GNU General Public License, version 3 or later (the text follows).
-The source that this page was built from is in source.tar.gz beside this file. It contains the packages below.\n`;
+The source that this page was built from is in source.tar.gz beside this file. It contains the packages below.
+The bunny of the gallery is the Stanford Bunny of the Stanford 3D Scanning Repository (Stanford Computer Graphics
+Laboratory), by way of the npm package \`bunny\`, which its author put into the public domain.\n`;
   const texts = [`${head}\n${own}\n`, ...bundled.map(licenceText)];
   writeFileSync(join(folder, 'licences.txt'), texts.join('\n'));
   const sources = projectFiles(/./);

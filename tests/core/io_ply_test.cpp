@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "cloud_files.h"
 #include "io/cloud_reader.h"
 
 namespace plateau {
@@ -12,15 +12,6 @@ namespace {
 
 using Numbers = std::vector<double>;
 const Numbers kTwoPoints = {1, -2, 3, 4, 5, 6};
-
-/// The bytes of a value, in file order.
-template <class T>
-std::string packed(T value, bool big_endian) {
-    std::string bytes(sizeof value, '\0');
-    std::memcpy(bytes.data(), &value, sizeof value);
-    if (big_endian) bytes.assign(bytes.rbegin(), bytes.rend());
-    return bytes;
-}
 
 ReadCloud read(const std::string& bytes, const ReadOptions& options = {}) {
     auto result = read_cloud(bytes, "a.ply", options);

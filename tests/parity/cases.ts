@@ -3,7 +3,7 @@ import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { SAMPLES } from '../../web/src/app/samples.ts';
+import { COMPUTED_SAMPLES } from '../../web/src/app/samples.ts';
 import type { Family } from '../../web/src/worker/protocol.ts';
 import { asText, bunnyPoints } from '../acceptance/bunny-cloud.mjs';
 
@@ -52,7 +52,7 @@ const sizeFor = (family: Family, size: number): number =>
   full ? Math.min(size, family === 'witness' ? largestWitness : Infinity) : quickSize;
 
 function ofShapes(): Case[] {
-  return SAMPLES.flatMap(({ shape, size: usual }) =>
+  return COMPUTED_SAMPLES.flatMap(({ shape, size: usual }) =>
     (shapesOfThePlane.includes(shape) ? inThePlane : inSpace).map((family): Case => {
       const size = sizeFor(family, usual);
       const text = plateau(['sample', shape, '--n', String(size)]);

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { PlateauModule } from 'plateau-module';
-import { SAMPLES } from '../../web/src/app/samples.ts';
+import { COMPUTED_SAMPLES } from '../../web/src/app/samples.ts';
 import type { CloudSource } from '../../web/src/worker/protocol.ts';
 import { file, loadModule, opened, runThrough, sample } from '../wasm/module.ts';
 import { cases, commandHash, full, title } from './cases.ts';
@@ -13,7 +13,7 @@ beforeAll(async () => {
 const all = cases();
 
 test('the page offers the shapes of the core, with their sizes', () => {
-  const offered = SAMPLES.map(({ shape, size }) => `${shape} ${size}`).sort();
+  const offered = COMPUTED_SAMPLES.map(({ shape, size }) => `${shape} ${size}`).sort();
   expect(offered).toEqual(
     module
       .sampleShapes()

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { PlateauModule } from 'plateau-module';
-import { SAMPLES } from '../../web/src/app/samples.ts';
+import { COMPUTED_SAMPLES } from '../../web/src/app/samples.ts';
 import { allDeltas, expected, file, finishedRun, loadModule, opened, runThrough, sample } from './module.ts';
 
 let module: PlateauModule;
@@ -168,6 +168,6 @@ describe('failures are values', () => {
 
 test('the page offers the shapes that the module has, in their usual sizes', () => {
   const known = new Map(module.sampleShapes().map(({ name, defaultSize }) => [name, defaultSize]));
-  const offered = new Map(SAMPLES.map(({ shape, size }) => [shape, size]));
+  const offered = new Map(COMPUTED_SAMPLES.map(({ shape, size }) => [shape, size]));
   expect([...offered].sort()).toEqual([...known].sort());
 });

@@ -70,6 +70,7 @@ test('family, ν and first landmark make a new run; what makes no sense is told'
     await expect(root(page)).toHaveAttribute('data-run-state', 'finished');
     hashes.add(await state(page, 'hash'));
   };
+  await page.getByText('Settings', { exact: true }).click();
   await page.getByLabel('Family').selectOption('delaunay');
   await changed();
   await expect(page.getByRole('textbox', { name: 'ν' })).toHaveAttribute('placeholder', '1, 6, 6, 4');

@@ -92,6 +92,7 @@ test.describe('the film', () => {
     await page.keyboard.press('o');
     await chooser;
     // In a text field keys are text; on a focused slider arrows act once.
+    await page.getByText('Settings', { exact: true }).click();
     await page.getByRole('textbox', { name: 'ν' }).press('p');
     const slider = page.getByRole('slider', { name: 'Step' });
     await slider.fill('30');

@@ -73,14 +73,14 @@ export function fileOf(name: string, content: string | Uint8Array) {
 }
 
 /** Lets a file fall onto the page, as from a file manager. */
-export async function drop(page: Page, name: string, text: string): Promise<void> {
+export async function drop(page: Page, name: string, content: string | Uint8Array): Promise<void> {
   const dataTransfer = await page.evaluateHandle(
-    ([fileName, content]) => {
+    ({ fileName, bytes }) => {
       const transfer = new DataTransfer();
-      transfer.items.add(new File([content ?? ''], fileName ?? ''));
+      transfer.items.add(new File([Uint8Array.from(bytes)], fileName));
       return transfer;
     },
-    [name, text],
+    { fileName: name, bytes: [...Buffer.from(content)] },
   );
   await page.dispatchEvent('body', 'drop', { dataTransfer });
 }

@@ -152,13 +152,24 @@ for (const colorScheme of ['light', 'dark'] as const) {
     const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
     // Through the debugger: the policy of the page allows no script of others.
     await page.evaluate(axe);
-    const violations = await page.evaluate(async () => {
-      const { axe: checker } = window as unknown as {
-        axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-      };
-      const report = await checker.run();
-      return report.violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
-    });
-    expect(violations).toEqual([]);
+    const complaints = (): Promise<string[]> =>
+      page.evaluate(async () => {
+        const { axe: checker } = window as unknown as {
+          axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
+        };
+        const report = await checker.run();
+        return report.violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
+      });
+    expect(await complaints()).toEqual([]);
+    await page.getByText('Settings', { exact: true }).click();
+    await page.keyboard.press('x');
+    await page.keyboard.press('c');
+    expect(await complaints()).toEqual([]);
+    for (const key of ['g', '?']) {
+      await page.keyboard.press(key);
+      await expect(page.getByRole('dialog')).toBeVisible();
+      expect(await complaints()).toEqual([]);
+      await page.keyboard.press('Escape');
+    }
   });
 }

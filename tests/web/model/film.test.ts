@@ -1,11 +1,24 @@
 import { describe, expect, test } from 'vitest';
 import { Playback } from '../../../web/src/model/playback.ts';
 import { axisOf, scaleOf, stepAt } from '../../../web/src/model/scale-axis.ts';
-import { layOut } from '../../../web/src/view/diagram-layout.ts';
+import { layOut, scaleToX, xToScale } from '../../../web/src/view/diagram-layout.ts';
 import { diagramSvg } from '../../../web/src/view/diagram-svg.ts';
 import { recordOf } from './fixtures.ts';
 
 const halving = Array.from({ length: 40 }, (_, i) => 2 ** (-i / 4));
+
+test('twice the speed comes as far in half the time', () => {
+  const record = recordOf(halving);
+  const reached = (speed: number, frames: number): number => {
+    const playback = new Playback();
+    playback.speed = speed;
+    let step = 20;
+    for (let i = 0; i < frames; ++i) step = playback.advance(record, step, 20);
+    return step;
+  };
+  expect(reached(2, 100)).toBe(reached(1, 200));
+  expect(reached(2, 100)).toBeGreaterThan(reached(1, 100));
+});
 
 describe('the scale', () => {
   test('finds the step that begins at a place or before', () => {
@@ -96,6 +109,21 @@ describe('the diagram', () => {
     const [band] = layout.bands;
     const perFold = (layout.right - layout.left) / (layout.axis.high - layout.axis.low);
     expect((band?.to ?? 0) - (band?.from ?? 0)).toBeCloseTo((16 / 4) * Math.LN2 * perFold, 6);
+  });
+
+  test('spreads 1/ε evenly on the linear axis, with round values', () => {
+    const record = recordOf(halving);
+    const layout = layOut(record, [], { width: 600, height: 200, resolution: 1, kind: 'linear' });
+    const [one, two, three] = [1, 2, 3].map((value) => scaleToX(layout, Math.log(value)));
+    expect((three ?? 0) - (two ?? 0)).toBeCloseTo((two ?? 0) - (one ?? 0), 9);
+    for (const x of [layout.left + 1, 300, layout.right]) {
+      expect(scaleToX(layout, xToScale(layout, x))).toBeCloseTo(x, 6);
+    }
+    expect(layout.columns.length).toBeGreaterThan(3);
+    const apart = layout.columns.slice(1).map(({ at }, i) => at - (layout.columns[i]?.at ?? 0));
+    for (const distance of apart) expect(distance).toBeCloseTo(apart[0] ?? 0, 6);
+    const svg = diagramSvg(record, [card], 'linear', 'linear');
+    expect(svg).not.toMatch(/NaN|Infinity|undefined/);
   });
 
   test('thins many steps out to the width', () => {

@@ -23,6 +23,21 @@ describe('words', () => {
     expect(shapeInWords(family, betti)).toBe(words);
   });
 
+  test('say where a plateau means little', () => {
+    const card = {
+      firstStep: 4,
+      lastStep: 9,
+      middleStep: 6,
+      epsilonFirst: 1,
+      length: 0.5,
+      family: 'delaunay' as const,
+      betti: [1, 1, 0],
+      runs: 1,
+    };
+    expect(cardWords(card).note).toBe('at most 9 landmarks: too few to trust');
+    expect(cardWords({ ...card, lastStep: 40 }).note).toBeUndefined();
+  });
+
   test('count what is there', () => {
     expect(bettiInWords([1, 2, 1])).toBe('1 component, 2 loops, 1 void');
     expect(bettiInWords([1200, 0, 0])).toBe('1,200 components');

@@ -44,7 +44,7 @@ export class CardList {
   }
 
   private buttonFor(card: PlateauCard): HTMLButtonElement {
-    const { shape, counts, scale, family } = cardWords(card);
+    const { shape, counts, scale, family, note } = cardWords(card);
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'card';
@@ -66,6 +66,7 @@ export class CardList {
       line('for-readers', ' · '),
       line('card-scale', `${scale} · ${family}`),
     );
+    if (note) button.append(line('for-readers', ' · '), line('card-note', note));
     button.addEventListener('click', () => this.onChoose(card));
     return button;
   }

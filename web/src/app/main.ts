@@ -1,15 +1,21 @@
 import './theme.css';
 import './page.css';
 import './film-and-cards.css';
+import './tools.css';
+import './sheets.css';
 import './phone.css';
 import { diagramSvg } from '../view/diagram-svg.ts';
 import { byId } from './dom.ts';
 import { acceptDrops } from './file-drop.ts';
+import { Gallery } from './gallery.ts';
+import { closeSheets, HelpSheet } from './help-sheet.ts';
 import { listenToKeys } from './keyboard.ts';
 import { Page } from './page.ts';
-import { SAMPLES } from './samples.ts';
+import { acceptPastes } from './paste.ts';
+import { SAMPLES, type Sample } from './samples.ts';
 import { saveFile } from './save-file.ts';
 import { fileStem, parseList, sourceName, startFrom } from './source.ts';
+import { explainTerms } from './term-tips.ts';
 
 const page = new Page();
 const fileInput = byId('file', HTMLInputElement);
@@ -19,6 +25,10 @@ function openFile(file: File): void {
   void page.open({ kind: 'file', file }, {}, 'answer');
 }
 
+function openSample({ shape, size }: Sample): void {
+  void page.open({ kind: 'sample', shape, size }, {}, 'answer');
+}
+
 fileInput.addEventListener('change', () => {
   const file = fileInput.files?.[0];
   // The same file can be chosen again, for example after it was corrected.
@@ -26,6 +36,7 @@ fileInput.addEventListener('change', () => {
   if (file) openFile(file);
 });
 acceptDrops(byId('plateau', HTMLElement), openFile);
+acceptPastes(openFile);
 
 sampleSelect.append(
   new Option('Choose …', ''),
@@ -33,7 +44,7 @@ sampleSelect.append(
 );
 sampleSelect.addEventListener('change', () => {
   const sample = SAMPLES.find(({ shape }) => shape === sampleSelect.value);
-  if (sample) void page.open({ kind: 'sample', shape: sample.shape, size: sample.size }, {}, 'answer');
+  if (sample) openSample(sample);
 });
 
 byId('columns-form', HTMLFormElement).addEventListener('submit', (event) => {
@@ -65,21 +76,64 @@ byId('export-csv', HTMLButtonElement).addEventListener('click', () => void saveE
 byId('export-ply', HTMLButtonElement).addEventListener('click', () => void saveExport('mesh-ply'));
 byId('export-svg', HTMLButtonElement).addEventListener('click', () => {
   const { record, currentCards, currentChoice } = page;
-  if (!record || !currentChoice) return;
-  const svg = diagramSvg(record, currentCards, `Betti numbers over 1/ε: ${sourceName(currentChoice)}`);
+  if (!record || !currentChoice) {
+    page.showError('There is nothing to save yet.');
+    return;
+  }
+  const title = `Betti numbers over 1/ε: ${sourceName(currentChoice)}`;
+  const svg = diagramSvg(record, currentCards, title, page.axisKind);
   saveFile(`${fileStem(currentChoice)}-diagram.svg`, 'image/svg+xml', svg);
 });
+
+const gallery = new Gallery(page.client, openSample);
+const help = new HelpSheet();
+closeSheets();
+explainTerms(byId('plateau', HTMLElement));
+byId('open-gallery', HTMLButtonElement).addEventListener('click', () => gallery.open());
+byId('empty-gallery', HTMLButtonElement).addEventListener('click', () => gallery.open());
+byId('open-help', HTMLButtonElement).addEventListener('click', () => help.open());
+byId('undo', HTMLButtonElement).addEventListener('click', () => page.travel(-1));
+byId('redo', HTMLButtonElement).addEventListener('click', () => page.travel(1));
+
+const axis = byId('axis', HTMLSelectElement);
+axis.addEventListener('change', () => page.setAxis(axis.value === 'linear' ? 'linear' : 'log'));
+const speed = byId('speed', HTMLSelectElement);
+speed.addEventListener('change', () => {
+  page.speed = Number(speed.value);
+});
+
+function turnAxis(): void {
+  axis.value = axis.value === 'log' ? 'linear' : 'log';
+  page.setAxis(axis.value === 'linear' ? 'linear' : 'log');
+}
 
 listenToKeys({
   togglePlay: () => page.togglePlay(),
   move: (steps) => page.move(steps),
   toStart: () => page.goTo(1),
   toEnd: () => page.goTo(Infinity),
-  nextPlateau: () => page.nextPlateau(),
-  open: () => fileInput.click(),
+  undo: () => page.travel(-1),
+  redo: () => page.travel(1),
+  singleKeysOn: () => help.singleKeys,
+  single: {
+    p: () => page.nextPlateau(),
+    o: () => fileInput.click(),
+    g: () => gallery.open(),
+    '1': () => page.tools.toggleLayer(0),
+    '2': () => page.tools.toggleLayer(1),
+    '3': () => page.tools.toggleLayer(2),
+    '4': () => page.tools.toggleLayer(3),
+    c: () => page.tools.toggleColor(),
+    x: () => page.tools.toggleSection(),
+    l: turnAxis,
+    f: () => page.fit(),
+    '?': () => help.open(),
+  },
 });
 
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => page.applyTheme());
 
 const { choice, options } = startFrom(location.search);
-void page.open(choice, options, matchMedia('(prefers-reduced-motion: reduce)').matches ? 'wait' : 'play');
+if (!choice) page.showEmpty();
+else
+  void page.open(choice, options, matchMedia('(prefers-reduced-motion: reduce)').matches ? 'wait' : 'play');

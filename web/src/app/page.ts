@@ -1,9 +1,11 @@
 import { PlateauClient } from '../client/plateau-client.ts';
 import { PlateauError } from '../client/plateau-error.ts';
+import { History } from '../model/history.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import { Playback } from '../model/playback.ts';
 import type { RunRecord } from '../model/record.ts';
 import { grouped } from '../model/numbers.ts';
+import type { AxisKind } from '../model/scale-axis.ts';
 import { DiagramView } from '../view/diagram-view.ts';
 import { ShapeView } from '../view/shape-view.ts';
 import type { Failure, RunOptions } from '../worker/protocol.ts';
@@ -14,6 +16,7 @@ import { SettingsForm } from './settings-form.ts';
 import { cloudSource, sourceName, type SourceChoice } from './source.ts';
 import { StatusLine } from './status-line.ts';
 import { Transport } from './transport.ts';
+import { ViewTools } from './view-tools.ts';
 
 const UNSUPPORTED_DIMENSION = 7;
 const DIAGRAM_EVERY_MS = 120;
@@ -27,9 +30,15 @@ type Arrival =
   /** The playhead follows the computation and ends at the longest plateau: the answer. */
   | 'answer';
 
-function shapeViewOrNone(): ShapeView | undefined {
+/** What was opened and how: all that is needed to open it again. */
+interface Opening {
+  readonly choice: SourceChoice;
+  readonly options: RunOptions;
+}
+
+function shapeViewOrNone(onView: (unitsPerPixel: number) => void): ShapeView | undefined {
   try {
-    return new ShapeView(byId('shape', HTMLElement));
+    return new ShapeView(byId('shape', HTMLElement), onView);
   } catch {
     byId('no-shape', HTMLElement).hidden = false;
     return undefined;
@@ -40,8 +49,9 @@ function shapeViewOrNone(): ShapeView | undefined {
 export class Page {
   private readonly root = byId('plateau', HTMLElement);
   private readonly alert = byId('alert', HTMLElement);
-  private readonly client = new PlateauClient({ onDeath: (error) => this.showError(error) });
-  private readonly shape = shapeViewOrNone();
+  readonly client = new PlateauClient({ onDeath: (error) => this.showError(error) });
+  readonly tools = new ViewTools();
+  private readonly shape = shapeViewOrNone(this.tools.showScale);
   private readonly diagram = new DiagramView(byId('diagram', HTMLElement), (step) => this.goTo(step));
   private readonly status = new StatusLine(byId('readout', HTMLElement), byId('status', HTMLElement));
   private readonly transport = new Transport(this);
@@ -52,6 +62,7 @@ export class Page {
   );
   private readonly settings = new SettingsForm(() => this.openAgain());
   private readonly playback = new Playback();
+  private readonly history = new History<Opening>();
   private readonly sample = byId('sample', HTMLSelectElement);
 
   private opening: AbortController | undefined;
@@ -64,6 +75,10 @@ export class Page {
   private playing = false;
   private frameRequest = 0;
   private diagramDue = 0;
+
+  constructor() {
+    this.tools.attach(this.shape);
+  }
 
   get record(): RunRecord | undefined {
     return this.feed?.record;
@@ -87,8 +102,14 @@ export class Page {
     return this.feed.run.exportFile(format, step);
   }
 
+  /** Opens what was shown before (-1) or after (1), with its settings. */
+  travel(by: -1 | 1): void {
+    const opening = this.history.peek(by);
+    if (opening) void this.open(opening.choice, opening.options, 'answer', by);
+  }
+
   /** Opens another source. What is shown stays until the new one can be watched, and for good if it fails. */
-  async open(choice: SourceChoice, options: RunOptions, arrival: Arrival): Promise<void> {
+  async open(choice: SourceChoice, options: RunOptions, arrival: Arrival, travel?: -1 | 1): Promise<void> {
     this.opening?.abort();
     const opening = (this.opening = new AbortController());
     const shown = this.feed;
@@ -103,14 +124,17 @@ export class Page {
         return;
       }
       this.show(new RunFeed(run, this.listener()), choice, arrival);
-      this.settings.reset(options);
-      this.settings.showTaken(run.opened);
+      this.settings.show(choice, options, run.opened);
+      if (travel) this.history.go(travel);
+      else this.history.add({ choice, options });
+      this.markHistory();
       setNotice(byId('warning', HTMLElement), run.opened.warnings.join(' '));
     } catch (error) {
       if (opening.signal.aborted) return;
       shown?.run.resume().catch(() => undefined);
       this.failedChoice = choice;
       this.markSample();
+      this.showEmpty();
       this.showError(error, choice.kind === 'file' && choice.columns === undefined ? sourceName(choice) : '');
     }
     this.opening = undefined;
@@ -186,6 +210,30 @@ export class Page {
     if (next !== undefined) this.goTo(next);
   }
 
+  set speed(factor: number) {
+    this.playback.speed = factor;
+  }
+
+  get axisKind(): AxisKind {
+    return this.diagram.axisKind;
+  }
+
+  setAxis(kind: AxisKind): void {
+    this.diagram.setAxis(kind);
+  }
+
+  /** Looks at the whole shape again. */
+  fit(): void {
+    this.shape?.fit();
+  }
+
+  /** Where nothing was opened yet, the way in is shown. */
+  showEmpty(): void {
+    byId('empty', HTMLElement).hidden = this.choice !== undefined;
+    byId('film', HTMLElement).inert = byId('tools', HTMLElement).inert = this.choice === undefined;
+    if (!this.choice) this.root.dataset['runState'] = 'empty';
+  }
+
   applyTheme(): void {
     this.shape?.applyTheme();
     this.diagram.requestPaint();
@@ -194,7 +242,8 @@ export class Page {
   private openAgain(): void {
     if (!this.choice) return;
     try {
-      void this.open(this.choice, this.settings.options(), 'answer');
+      const { choice, options } = this.settings.asked(this.choice);
+      void this.open(choice, options, 'answer');
     } catch (error) {
       this.showError(error);
     }
@@ -215,12 +264,18 @@ export class Page {
     this.status.show(feed.record, undefined, false);
     byId('legend-voids', HTMLElement).hidden = feed.record.dimension < 3;
     this.markSample();
+    this.showEmpty();
     const count = feed.record.coordinates.length / feed.record.dimension;
     byId('source', HTMLElement).textContent = `${sourceName(choice)} · ${grouped(count)} points`;
     this.root.dataset['source'] = choice.kind === 'sample' ? choice.shape : choice.file.name;
     this.root.dataset['step'] = '0';
     this.showRunState(feed.record);
     feed.start();
+  }
+
+  private markHistory(): void {
+    byId('undo', HTMLButtonElement).disabled = !this.history.peek(-1);
+    byId('redo', HTMLButtonElement).disabled = !this.history.peek(1);
   }
 
   /** The list of samples names what is shown, not what was tried. */

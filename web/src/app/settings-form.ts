@@ -1,12 +1,41 @@
 import type { Opened, RunOptions } from '../worker/protocol.ts';
 import { byId } from './dom.ts';
-import { isFamily, parseList } from './source.ts';
+import { isFamily, parseList, type SourceChoice } from './source.ts';
 
-/** Family, ν and first landmark; a change asks for a new run. */
+/** What a form of settings asks for. */
+export interface Asked {
+  readonly options: RunOptions;
+  /** The sample with its size and noise; a file stays as it is. */
+  readonly choice: SourceChoice;
+}
+
+/** A number above 0, or undefined where nothing or 0 is written. */
+function positive(input: HTMLInputElement, name: string): number | undefined {
+  const text = input.value.trim().replace(',', '.');
+  if (text === '') return undefined;
+  const value = Number(text);
+  if (!Number.isFinite(value) || value < 0) throw new Error(`${name} takes a number from 0 on.`);
+  return value > 0 ? value : undefined;
+}
+
+function wholeFrom(least: number, input: HTMLInputElement, name: string): number | undefined {
+  if (input.value.trim() === '' && !input.validity.badInput) return undefined;
+  const value = input.valueAsNumber;
+  if (!Number.isInteger(value) || value < least)
+    throw new Error(`${name} takes a whole number from ${least} on.`);
+  return value;
+}
+
+/** Settings of the run and of the sample; a change asks for a new run. */
 export class SettingsForm {
   private readonly family = byId('family', HTMLSelectElement);
   private readonly nu = byId('nu', HTMLInputElement);
   private readonly first = byId('first', HTMLInputElement);
+  private readonly rho = byId('rho', HTMLInputElement);
+  private readonly maxSteps = byId('max-steps', HTMLInputElement);
+  private readonly until = byId('until', HTMLInputElement);
+  private readonly size = byId('size', HTMLInputElement);
+  private readonly noise = byId('noise', HTMLInputElement);
 
   constructor(onChange: () => void) {
     const form = byId('settings', HTMLFormElement);
@@ -19,28 +48,43 @@ export class SettingsForm {
   }
 
   /** Throws a sentence where an entry makes no sense. */
-  options(): RunOptions {
+  asked(choice: SourceChoice): Asked {
     const nu = parseList(this.nu.value, 0, 'ν');
-    const first = this.first.value.trim() === '' ? 0 : this.first.valueAsNumber;
-    if (!Number.isInteger(first) || first < 0)
-      throw new Error('The first landmark takes a whole number from 0 on.');
-    return {
+    const first = wholeFrom(0, this.first, 'The first landmark');
+    const maxSteps = wholeFrom(1, this.maxSteps, 'Stop at N');
+    const untilEpsilon = positive(this.until, 'Stop at ε');
+    const rho = positive(this.rho, 'ρ');
+    const options: RunOptions = {
       ...(isFamily(this.family.value) ? { family: this.family.value } : {}),
       ...(nu.length > 0 ? { nu } : {}),
-      ...(first > 0 ? { first } : {}),
+      ...(first === undefined ? {} : { first }),
+      ...(maxSteps === undefined ? {} : { maxSteps }),
+      ...(untilEpsilon === undefined ? {} : { untilEpsilon }),
+      ...(rho === undefined ? {} : { rho }),
+    };
+    if (choice.kind === 'file') return { options, choice };
+    const size = wholeFrom(1, this.size, 'Points') ?? choice.size;
+    const noise = positive(this.noise, 'Noise');
+    return {
+      options,
+      choice: { kind: 'sample', shape: choice.shape, size, ...(noise === undefined ? {} : { noise }) },
     };
   }
 
-  /** Back to what another cloud begins with. */
-  reset(options: RunOptions): void {
+  /** Shows what was asked for, and what the run took where nothing was. */
+  show(choice: SourceChoice, options: RunOptions, opened: Opened): void {
+    const text = (value: number | undefined): string => (value === undefined ? '' : String(value));
     this.family.value = options.family ?? '';
     this.nu.value = options.nu?.join(', ') ?? '';
-    this.first.value = String(options.first ?? 0);
-  }
-
-  /** Says what the run took where nothing was asked. */
-  showTaken(opened: Opened): void {
     this.nu.placeholder = opened.nu.join(', ');
+    this.first.value = String(options.first ?? 0);
     this.first.max = String(opened.coordinates.length / opened.dimension - 1);
+    this.rho.value = text(options.rho);
+    this.maxSteps.value = text(options.maxSteps);
+    this.until.value = text(options.untilEpsilon);
+    const sampled = choice.kind === 'sample';
+    byId('size-row', HTMLElement).hidden = byId('noise-row', HTMLElement).hidden = !sampled;
+    this.size.value = sampled ? String(choice.size) : '';
+    this.noise.value = sampled ? text(choice.noise) : '';
   }
 }

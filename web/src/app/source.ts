@@ -1,14 +1,15 @@
 import type { CloudSource, Family, RunOptions } from '../worker/protocol.ts';
-import { SAMPLES } from './samples.ts';
+import { BUNNY, SAMPLES } from './samples.ts';
 
 /** What the visitor chose to look at. A file is kept, not its bytes: it is read anew for other settings. */
 export type SourceChoice =
-  | { readonly kind: 'sample'; readonly shape: string; readonly size: number }
+  | { readonly kind: 'sample'; readonly shape: string; readonly size: number; readonly noise?: number }
   | { readonly kind: 'file'; readonly file: File; readonly columns?: readonly number[] };
 
 /** What the page begins with. */
 export interface Start {
-  readonly choice: SourceChoice;
+  /** Undefined: an empty page. */
+  readonly choice: SourceChoice | undefined;
   readonly options: RunOptions;
 }
 
@@ -24,7 +25,7 @@ export function fileStem(choice: SourceChoice): string {
 }
 
 export async function cloudSource(choice: SourceChoice): Promise<CloudSource> {
-  if (choice.kind === 'sample') return choice;
+  if (choice.kind === 'sample') return choice.shape === BUNNY ? bunnySource(choice) : choice;
   const { file, columns } = choice;
   let bytes: ArrayBuffer;
   try {
@@ -35,6 +36,12 @@ export async function cloudSource(choice: SourceChoice): Promise<CloudSource> {
     );
   }
   return { kind: 'file', name: file.name, bytes, ...(columns ? { columns } : {}) };
+}
+
+/** The bunny's mesh is loaded when it is first asked for. */
+async function bunnySource({ size, noise = 0 }: { size: number; noise?: number }): Promise<CloudSource> {
+  const { bunnyText } = await import('../model/bunny-points.ts');
+  return { kind: 'file', name: 'bunny.xyz', bytes: new TextEncoder().encode(bunnyText(size, noise)).buffer };
 }
 
 /** "1, 6, 6, 4" as numbers; a sentence where it is no list of whole numbers from `least` on. */
@@ -53,15 +60,17 @@ export function isFamily(text: string): text is Family {
   return FAMILIES.includes(text);
 }
 
-/** The helix, or what the address asks for: ?sample=torus&n=800&family=surface. */
+/** The helix, or what the address asks for: ?sample=torus&n=800&family=surface, ?sample=none for nothing. */
 export function startFrom(query: string): Start {
   const asked = new URLSearchParams(query);
   const sample = SAMPLES.find(({ shape }) => shape === asked.get('sample'));
   const size = Number(asked.get('n'));
   const family = asked.get('family') ?? '';
+  const options = isFamily(family) ? { family } : {};
+  if (asked.get('sample') === 'none') return { choice: undefined, options };
   const { shape, size: usual } = sample ?? { shape: 'helix', size: 3000 };
   return {
     choice: { kind: 'sample', shape, size: Number.isInteger(size) && size > 0 ? size : usual },
-    options: isFamily(family) ? { family } : {},
+    options,
   };
 }

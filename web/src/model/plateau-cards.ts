@@ -7,6 +7,8 @@ const JOIN_GAP = 0.05;
 /** Cards shorter than this (in ln 1/ε) tell more about noise than about the shape. */
 const SHORTEST = 0.1;
 const MOST_CARDS = 12;
+/** With fewer landmarks any cloud looks like a piece or a ring. */
+const FEW_LANDMARKS = 12;
 
 /** A plateau as the visitor meets it: possibly several equal runs with short interruptions. */
 export interface PlateauCard {
@@ -100,6 +102,8 @@ export interface CardWords {
   readonly scale: string;
   /** "surface", or "surface · 3 runs joined". */
   readonly family: string;
+  /** Where the plateau means little, it says so. */
+  readonly note?: string;
 }
 
 export function cardWords(card: PlateauCard): CardWords {
@@ -109,5 +113,8 @@ export function cardWords(card: PlateauCard): CardWords {
     // Where it ends is where the next shape begins, as its band in the diagram.
     scale: scaleInWords(card.epsilonFirst, card.epsilonFirst * Math.exp(-card.length)),
     family: card.runs === 1 ? card.family : `${card.family} · ${card.runs} runs joined`,
+    ...(card.lastStep < FEW_LANDMARKS
+      ? { note: `at most ${card.lastStep} landmarks: too few to trust` }
+      : {}),
   };
 }

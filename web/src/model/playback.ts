@@ -16,6 +16,8 @@ const GROWTH_PER_SECOND = 2.5;
 export class Playback {
   private waited = 0;
   private scale: number | undefined;
+  /** Times the usual pace. */
+  speed = 1;
 
   /** Forgets the fraction: the playhead was moved by hand. */
   restart(): void {
@@ -23,8 +25,9 @@ export class Playback {
     this.scale = undefined;
   }
 
-  /** The step to show `elapsedMs` after `step` was; never beyond what is computed. */
-  advance(record: RunRecord, step: number, elapsedMs: number): number {
+  /** The step to show `passedMs` after `step` was; never beyond what is computed. */
+  advance(record: RunRecord, step: number, passedMs: number): number {
+    const elapsedMs = passedMs * this.speed;
     if (step >= record.stepCount) {
       this.restart();
       return step;

@@ -12,6 +12,19 @@ export interface ScaleAxis {
   readonly high: number;
 }
 
+/** How the diagram spreads scales out: evenly in ln(1/ε), or in 1/ε itself. */
+export type AxisKind = 'log' | 'linear';
+
+/** Where on an evenly divided ruler a scale lies. */
+export function spread(kind: AxisKind, scale: number): number {
+  return kind === 'log' ? scale : Math.exp(scale);
+}
+
+/** The scale at a place of the ruler. */
+export function scaleAtPlace(kind: AxisKind, place: number): number {
+  return kind === 'log' ? place : Math.log(Math.max(place, Number.MIN_VALUE));
+}
+
 /** The room for the last step, and for steps with ε = 0. */
 const TAIL = 0.12;
 

@@ -1,7 +1,15 @@
 import { readable } from '../model/numbers.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
-import { axisOf, scaleOf, stepAt, type ScaleAxis } from '../model/scale-axis.ts';
+import {
+  axisOf,
+  scaleAtPlace,
+  scaleOf,
+  spread,
+  stepAt,
+  type AxisKind,
+  type ScaleAxis,
+} from '../model/scale-axis.ts';
 import type { ShownFamily } from '../worker/protocol.ts';
 
 /** The Betti diagram as places on paper: the canvas on the page and the SVG file draw the same. */
@@ -13,6 +21,7 @@ export interface DiagramLayout {
   readonly top: number;
   readonly bottom: number;
   readonly axis: ScaleAxis;
+  readonly kind: AxisKind;
   readonly bands: readonly Band[];
   readonly columns: readonly Tick[];
   readonly lines: readonly Tick[];
@@ -40,6 +49,8 @@ export interface DiagramSize {
   readonly height: number;
   /** Columns a unit in which many steps are drawn as one upright stroke. */
   readonly resolution: number;
+  /** Logarithmic unless asked otherwise. */
+  readonly kind?: AxisKind;
 }
 
 const MARGIN = { left: 40, right: 14, top: 12, bottom: 36 };
@@ -48,14 +59,21 @@ const SIDE_BY_SIDE = 3;
 /** Room above the lines for the Betti numbers of the bands. */
 const LABEL_ROOM = 18;
 
-export function scaleToX(layout: DiagramLayout, scale: number): number {
-  const { low, high } = layout.axis;
-  return layout.left + ((scale - low) / (high - low)) * (layout.right - layout.left);
+type Ruled = Pick<DiagramLayout, 'axis' | 'kind' | 'left' | 'right'>;
+
+/** Units of the paper for one of the ruler. */
+function density({ axis, kind, left, right }: Ruled): number {
+  return (right - left) / (spread(kind, axis.high) - spread(kind, axis.low));
 }
 
-export function xToScale(layout: DiagramLayout, x: number): number {
-  const { low, high } = layout.axis;
-  return low + ((x - layout.left) / (layout.right - layout.left)) * (high - low);
+export function scaleToX(layout: Ruled, scale: number): number {
+  const { kind, axis } = layout;
+  return layout.left + (spread(kind, scale) - spread(kind, axis.low)) * density(layout);
+}
+
+export function xToScale(layout: Ruled, x: number): number {
+  const { kind, axis } = layout;
+  return scaleAtPlace(kind, spread(kind, axis.low) + (x - layout.left) / density(layout));
 }
 
 /** Betti numbers of plateaus are small, those in between can be thousands: linear up to 3, logarithmic above. */
@@ -90,6 +108,18 @@ function scaleTicks(axis: ScaleAxis, width: number): number[] {
   return ticks;
 }
 
+/** Round values of 1/ε, evenly apart. */
+function evenTicks(axis: ScaleAxis, width: number): number[] {
+  const from = Math.exp(axis.low);
+  const to = Math.exp(axis.high);
+  const least = ((to - from) / width) * 70;
+  const decade = 10 ** Math.floor(Math.log10(least));
+  const apart = decade * ([1, 2, 5].find((factor) => factor * decade >= least) ?? 10);
+  const ticks: number[] = [];
+  for (let k = Math.ceil(from / apart); k * apart <= to; ++k) ticks.push(k * apart);
+  return ticks;
+}
+
 /** Steps that fall into one column of the paper. */
 interface Column {
   readonly x: number;
@@ -97,12 +127,13 @@ interface Column {
   readonly lastStep: number;
 }
 
-function columnsOf(record: RunRecord, x: (scale: number) => number, width: number): Column[] {
+function columnsOf(record: RunRecord, ruled: Ruled, width: number): Column[] {
   const columns: Column[] = [];
   for (let step = 1; step <= record.stepCount;) {
     const scale = scaleOf(record, step);
-    const lastStep = Math.max(step, stepAt(record, scale + width));
-    columns.push({ x: x(scale), firstStep: step, lastStep });
+    const x = scaleToX(ruled, scale);
+    const lastStep = Math.max(step, stepAt(record, xToScale(ruled, x + width)));
+    columns.push({ x, firstStep: step, lastStep });
     step = lastStep + 1;
   }
   return columns;
@@ -133,7 +164,7 @@ function steppedLine(
 }
 
 export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: DiagramSize): DiagramLayout {
-  const { width, resolution } = size;
+  const { width, resolution, kind = 'log' } = size;
   const axis = axisOf(record);
   const frame = {
     left: MARGIN.left,
@@ -147,13 +178,12 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
   }
   const room = frame.bottom - frame.top - 2 * SIDE_BY_SIDE - LABEL_ROOM;
   const y = (betti: number): number => frame.bottom - SIDE_BY_SIDE - (height(betti) / height(most)) * room;
-  const x = (scale: number): number =>
-    frame.left + ((scale - axis.low) / (axis.high - axis.low)) * (frame.right - frame.left);
+  const ruled = { axis, kind, left: frame.left, right: frame.right };
+  const x = (scale: number): number => scaleToX(ruled, scale);
   const end = x(axis.computed);
   const startOf = (step: number): number => (step > record.stepCount ? end : x(scaleOf(record, step)));
 
-  const perUnit = (frame.right - frame.left) / (axis.high - axis.low);
-  const columns = columnsOf(record, x, 1 / (perUnit * resolution));
+  const columns = columnsOf(record, ruled, 1 / resolution);
   const series = Array.from({ length: record.dimension }, (_, k) => {
     const aside = (k - (record.dimension - 1) / 2) * -SIDE_BY_SIDE;
     return steppedLine(record, k, columns, (betti) => y(betti) + aside, end);
@@ -171,8 +201,9 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
     height: size.height,
     ...frame,
     axis,
+    kind,
     bands,
-    columns: scaleTicks(axis, frame.right - frame.left).map((value) => ({
+    columns: (kind === 'log' ? scaleTicks : evenTicks)(axis, frame.right - frame.left).map((value) => ({
       at: x(Math.log(value)),
       label: readable(value)
         .replace(/(\.\d*?)0+$/, '$1')

@@ -1,5 +1,6 @@
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
+import type { AxisKind } from '../model/scale-axis.ts';
 import { layOut } from './diagram-layout.ts';
 
 const SIZE = { width: 900, height: 340, resolution: 4 };
@@ -24,8 +25,13 @@ function text(x: number, y: number, anchor: string, content: string, more = ''):
 }
 
 /** The diagram as a file of its own, on white, with axes, legend and bands; vector graphics for papers and slides. */
-export function diagramSvg(record: RunRecord, cards: readonly PlateauCard[], title: string): string {
-  const layout = layOut(record, cards, SIZE);
+export function diagramSvg(
+  record: RunRecord,
+  cards: readonly PlateauCard[],
+  title: string,
+  kind: AxisKind = 'log',
+): string {
+  const layout = layOut(record, cards, { ...SIZE, kind });
   const { left, right, top, bottom, width } = layout;
   const height = layout.height + LEGEND_HEIGHT;
   const parts: string[] = [];

@@ -1,6 +1,8 @@
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
-import { scaleOf, stepAt } from '../model/scale-axis.ts';
+import { scaleOf, stepAt, type AxisKind } from '../model/scale-axis.ts';
+import { readable, grouped } from '../model/numbers.ts';
+import { bettiInNumbers } from '../model/words.ts';
 import { layOut, scaleToX, xToScale, type DiagramLayout } from './diagram-layout.ts';
 
 /** Reads the value of a CSS variable. */
@@ -86,12 +88,14 @@ function paintSeries(context: CanvasRenderingContext2D, layout: DiagramLayout, s
 export class DiagramView {
   private readonly canvas = document.createElement('canvas');
   private readonly playhead = document.createElement('div');
+  private readonly reading = document.createElement('div');
   private readonly resizing: ResizeObserver;
   private record: RunRecord | undefined;
   private cards: readonly PlateauCard[] = [];
   private layout: DiagramLayout | undefined;
   private step = 0;
   private paintRequest = 0;
+  private kind: AxisKind = 'log';
 
   constructor(
     private readonly container: HTMLElement,
@@ -100,8 +104,12 @@ export class DiagramView {
     this.playhead.className = 'playhead';
     this.playhead.hidden = true;
     this.canvas.setAttribute('aria-hidden', 'true');
-    container.append(this.canvas, this.playhead);
+    this.reading.className = 'reading';
+    this.reading.hidden = true;
+    container.append(this.canvas, this.playhead, this.reading);
     container.addEventListener('pointerdown', this.startDrag);
+    container.addEventListener('pointermove', this.read);
+    container.addEventListener('pointerleave', this.stopReading);
     this.resizing = new ResizeObserver(() => this.requestPaint());
     this.resizing.observe(container);
   }
@@ -124,6 +132,15 @@ export class DiagramView {
     this.placePlayhead();
   }
 
+  get axisKind(): AxisKind {
+    return this.kind;
+  }
+
+  setAxis(kind: AxisKind): void {
+    this.kind = kind;
+    this.requestPaint();
+  }
+
   requestPaint(): void {
     this.paintRequest ||= requestAnimationFrame(() => {
       this.paintRequest = 0;
@@ -135,8 +152,11 @@ export class DiagramView {
     cancelAnimationFrame(this.paintRequest);
     this.resizing.disconnect();
     this.container.removeEventListener('pointerdown', this.startDrag);
+    this.container.removeEventListener('pointermove', this.read);
+    this.container.removeEventListener('pointerleave', this.stopReading);
     this.canvas.remove();
     this.playhead.remove();
+    this.reading.remove();
   }
 
   private paint(): void {
@@ -151,7 +171,7 @@ export class DiagramView {
     }
     const css = getComputedStyle(this.container);
     const style: Style = (name) => css.getPropertyValue(name).trim();
-    const layout = layOut(this.record, this.cards, { width, height, resolution: ratio });
+    const layout = layOut(this.record, this.cards, { width, height, resolution: ratio, kind: this.kind });
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
     context.font = `12px ${css.fontFamily}`;
@@ -187,6 +207,25 @@ export class DiagramView {
     this.container.addEventListener('pointerup', end);
     this.container.addEventListener('pointercancel', end);
     this.scrubTo(down.clientX);
+  };
+
+  /** What the step under the pointer shows, beside it and never outside the diagram. */
+  private readonly read = (event: PointerEvent): void => {
+    const { record, layout } = this;
+    if (!record || !layout || record.stepCount === 0) return;
+    const x = event.clientX - this.container.getBoundingClientRect().left;
+    const within = layout.left <= x && x <= layout.computedTo;
+    this.reading.hidden = !within;
+    if (!within) return;
+    const { step, epsilon, betti } = record.summary(stepAt(record, xToScale(layout, x)));
+    this.reading.textContent = `step ${grouped(step)} · ε ${readable(epsilon)} · ${bettiInNumbers(betti)}`;
+    const onLeft = x > (layout.left + layout.right) / 2;
+    this.reading.classList.toggle('on-left', onLeft);
+    this.reading.style.transform = `translateX(${x}px)${onLeft ? ' translateX(-100%)' : ''}`;
+  };
+
+  private readonly stopReading = (): void => {
+    this.reading.hidden = true;
   };
 
   private scrubTo(clientX: number): void {

@@ -1,4 +1,13 @@
-import { Color, DoubleSide, GLSL3, RawShaderMaterial, Vector2, type IUniform, type Texture } from 'three';
+import {
+  Color,
+  DoubleSide,
+  GLSL3,
+  RawShaderMaterial,
+  Vector2,
+  Vector4,
+  type IUniform,
+  type Texture,
+} from 'three';
 import type { ShownFamily } from '../worker/protocol.ts';
 import {
   EDGE_FRAGMENT,
@@ -25,7 +34,13 @@ export interface SharedUniforms {
   readonly uDistance: IUniform<number>;
   readonly uHaze: IUniform<number>;
   readonly uBackground: IUniform<Color>;
+  readonly uByAge: IUniform<number>;
+  readonly uCut: IUniform<Vector4>;
+  readonly uShown: IUniform<Vector2>;
 }
+
+/** No point of the scene lies beyond this plane. */
+export const NO_CUT = new Vector4(0, 0, 0, 1);
 
 export interface SceneMaterials {
   readonly shared: SharedUniforms;
@@ -52,6 +67,9 @@ export function createMaterials(): SceneMaterials {
     uDistance: { value: 1 },
     uHaze: { value: 1 },
     uBackground: { value: new Color() },
+    uByAge: { value: 0 },
+    uCut: { value: NO_CUT.clone() },
+    uShown: { value: new Vector2(1, 1) },
   };
   const edgeColor = { value: new Color() };
   const edgeWidth = { value: EDGE_WIDTH };

@@ -12,9 +12,13 @@ uniform highp sampler2D uPositions;
 uniform uint uStep;
 uniform uint uTrack;
 uniform vec2 uViewport;
+uniform vec4 uCut;  // section plane: normal and offset in the scene; what lies beyond it is not drawn
 
 vec3 positionOf(uint index) {
   return texelFetch(uPositions, ivec2(int(index & 2047u), int(index >> 11)), 0).xyz;
+}
+float cutOf(uint index) {
+  return dot(uCut.xyz, positionOf(index)) - uCut.w;
 }
 vec3 viewOf(uint index) {
   return (modelViewMatrix * vec4(positionOf(index), 1.0)).xyz;
@@ -38,6 +42,16 @@ const FRAGMENT = /* glsl */ `
 precision highp float;
 precision highp int;
 out vec4 outColor;
+uniform float uByAge;  // 0: color by plateau, 1: by age
+
+/** Blue, gray, yellow: told apart by all eyes, and in print. Age 0 is the first landmark, 1 the newest. */
+vec3 tinted(vec3 color, float age) {
+  vec3 blue = vec3(0.16, 0.36, 0.68);
+  vec3 gray = vec3(0.62, 0.62, 0.60);
+  vec3 yellow = vec3(0.98, 0.84, 0.28);
+  vec3 ramp = age < 0.5 ? mix(blue, gray, 2.0 * age) : mix(gray, yellow, 2.0 * age - 1.0);
+  return mix(color, ramp, uByAge);
+}
 // Colors are mixed as on screen, not linearly: nothing after this shader converts them.
 `;
 
@@ -49,6 +63,8 @@ in uvec2 death;
 uniform float uWidth;
 out float vHaze;
 out float vSide;
+out float vCut;
+flat out float vAge;
 const float NEAR = 0.02;
 
 void main() {
@@ -62,8 +78,18 @@ void main() {
     gl_Position = NOWHERE;
     return;
   }
-  if (a.z > -NEAR) a = mix(b, a, (-NEAR - b.z) / (a.z - b.z));
-  if (b.z > -NEAR) b = mix(a, b, (-NEAR - a.z) / (b.z - a.z));
+  float cutA = cutOf(simplex.x);
+  float cutB = cutOf(simplex.y);
+  if (a.z > -NEAR) {
+    float share = (-NEAR - b.z) / (a.z - b.z);
+    a = mix(b, a, share);
+    cutA = mix(cutB, cutA, share);
+  }
+  if (b.z > -NEAR) {
+    float share = (-NEAR - a.z) / (b.z - a.z);
+    b = mix(a, b, share);
+    cutB = mix(cutA, cutB, share);
+  }
   vec4 clipA = projectionMatrix * vec4(a, 1.0);
   vec4 clipB = projectionMatrix * vec4(b, 1.0);
   vec2 along = (clipB.xy / clipB.w - clipA.xy / clipA.w) * uViewport;
@@ -75,6 +101,8 @@ void main() {
   end.z -= 0.0004 * end.w;
   gl_Position = end;
   vHaze = hazeAt(-(corner.x < 0.5 ? a : b).z);
+  vCut = corner.x < 0.5 ? cutA : cutB;
+  vAge = float(simplex.z) / float(uStep);
   vSide = corner.y * (uWidth + 1.0) * 0.5;
 }
 `;
@@ -85,11 +113,14 @@ uniform vec3 uBackground;
 uniform float uWidth;
 in float vHaze;
 in float vSide;
+in float vCut;
+flat in float vAge;
 
 void main() {
+  if (vCut > 0.0) discard;
   float alpha = clamp(uWidth * 0.5 + 0.5 - abs(vSide), 0.0, 1.0);
   if (alpha < 0.05) discard;
-  outColor = vec4(mix(uColor, uBackground, vHaze * 0.75), alpha);
+  outColor = vec4(mix(tinted(uColor, vAge), uBackground, vHaze * 0.75), alpha);
 }
 `;
 
@@ -101,6 +132,8 @@ in uvec2 death;
 out vec3 vNormal;
 out vec3 vBarycentric;
 out float vHaze;
+out float vCut;
+flat out float vAge;
 
 void main() {
   if (!lives(simplex.w, death)) {
@@ -117,6 +150,8 @@ void main() {
   vBarycentric = corner < 0.5 ? vec3(1, 0, 0) : corner < 1.5 ? vec3(0, 1, 0) : vec3(0, 0, 1);
   gl_Position = projectionMatrix * vec4(here, 1.0);
   vHaze = hazeAt(-here.z);
+  vCut = cutOf(corner < 0.5 ? simplex.x : corner < 1.5 ? simplex.y : simplex.z);
+  vAge = float(simplex.w) / float(uStep);
 }
 `;
 
@@ -125,22 +160,28 @@ uniform vec3 uFront;
 uniform vec3 uBack;
 uniform vec3 uLine;
 uniform vec3 uBackground;
+uniform vec2 uShown;  // 1 or 0 each: the inside, the sides
 in vec3 vNormal;
 in vec3 vBarycentric;
 in float vHaze;
+in float vCut;
+flat in float vAge;
 
 void main() {
+  if (vCut > 0.0) discard;
   vec3 n = gl_FrontFacing ? vNormal : -vNormal;
   float key = max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
   float fill = max(dot(n, normalize(vec3(0.7, -0.2, 0.45))), 0.0);
-  vec3 color = (gl_FrontFacing ? uFront : uBack) * (0.52 + 0.46 * key + 0.14 * fill);
+  vec3 color = tinted(gl_FrontFacing ? uFront : uBack, vAge) * (0.52 + 0.46 * key + 0.14 * fill);
   color = mix(color, uBackground, vHaze * 0.3);
   // Where triangles are a few pixels wide their edges would only darken them.
   vec3 pixel = fwidth(vBarycentric);
   vec3 sides = smoothstep(vec3(0.0), pixel * 1.3, vBarycentric);
   float line = 1.0 - min(sides.x, min(sides.y, sides.z));
   float fade = 1.0 - smoothstep(0.12, 0.5, max(pixel.x, max(pixel.y, pixel.z)));
-  outColor = vec4(mix(color, uLine, line * fade * 0.62), 1.0);
+  if (uShown.x < 0.5 && line < 0.4) discard;
+  float inked = uShown.x < 0.5 ? 1.0 : line * fade * 0.62;
+  outColor = vec4(mix(color, uLine, inked * uShown.y), 1.0);
 }
 `;
 
@@ -149,6 +190,10 @@ uniform float uSize;
 out float vHaze;
 
 void main() {
+  if (cutOf(uint(gl_VertexID)) > 0.0) {
+    gl_Position = NOWHERE;
+    return;
+  }
   vec3 here = viewOf(uint(gl_VertexID));
   gl_Position = projectionMatrix * vec4(here, 1.0);
   gl_PointSize = uSize;
@@ -174,8 +219,14 @@ uniform float uDiameter;  // in units of the scene
 uniform vec2 uSizeRange;  // least and most, in pixels
 out float vHaze;
 out float vNew;
+flat out float vAge;
 
 void main() {
+  if (cutOf(simplex.x) > 0.0) {
+    gl_Position = NOWHERE;
+    return;
+  }
+  vAge = float(simplex.y) / float(uStep);
   vec3 here = viewOf(simplex.x);
   gl_Position = projectionMatrix * vec4(here, 1.0);
   gl_Position.z -= 0.0008 * gl_Position.w;
@@ -192,6 +243,7 @@ uniform vec3 uAccent;
 uniform vec3 uBackground;
 in float vHaze;
 in float vNew;
+flat in float vAge;
 
 void main() {
   vec2 at = (gl_PointCoord - 0.5) * 2.0;
@@ -199,6 +251,6 @@ void main() {
   if (r > 1.0) discard;
   vec3 n = vec3(at.x, -at.y, sqrt(1.0 - r));
   float light = 0.72 + 0.34 * max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
-  outColor = vec4(mix(mix(uColor, uAccent, vNew) * light, uBackground, vHaze * 0.6), 1.0);
+  outColor = vec4(mix(mix(tinted(uColor, vAge), uAccent, vNew) * light, uBackground, vHaze * 0.6), 1.0);
 }
 `;

@@ -3,13 +3,27 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { RunRecord } from '../model/record.ts';
 import { distanceFor, frameCloud, type CloudFrame } from './cloud-frame.ts';
 import { LifespanLayer } from './lifespan-layer.ts';
-import { createMaterials, type SceneMaterials } from './scene-materials.ts';
+import { createMaterials, NO_CUT, type SceneMaterials } from './scene-materials.ts';
 
 const FIELD_OF_VIEW = 32;
 /** How much of the stage the cloud takes. */
 const FILL = 0.86;
 /** A landmark is drawn this large compared to ε: dots that touch no neighbor. */
 const LANDMARK_SHARE = 0.3;
+
+/** What of the shape is drawn. */
+export interface ShownLayers {
+  readonly witnesses: boolean;
+  readonly landmarks: boolean;
+  readonly edges: boolean;
+  readonly faces: boolean;
+}
+
+/** A plane across an axis; `place` goes from -1 to 1 through the cloud, what lies beyond it is cut away. */
+export interface Section {
+  readonly axis: 0 | 1 | 2;
+  readonly place: number;
+}
 
 /** Draws a record at a step: orbit with the pointer, drawn only when something changed. Throws without WebGL 2. */
 export class ShapeView {
@@ -26,8 +40,13 @@ export class ShapeView {
     | { points: LifespanLayer; edges: LifespanLayer; triangles: LifespanLayer; rows: LifespanLayer }
     | undefined;
   private renderRequest = 0;
+  private shown: ShownLayers = { witnesses: true, landmarks: true, edges: true, faces: true };
 
-  constructor(private readonly container: HTMLElement) {
+  /** `onView` is told the units of the input that a pixel shows in the middle of the shape. */
+  constructor(
+    private readonly container: HTMLElement,
+    private readonly onView: (unitsPerPixel: number) => void,
+  ) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
@@ -86,14 +105,37 @@ export class ShapeView {
     this.materials.shared.uStep.value = step;
     this.materials.shared.uTrack.value = onSurface ? 0 : track;
     this.materials.landmarkDiameter.value = epsilon * this.frame.scale * LANDMARK_SHARE;
-    rows.group.visible = onSurface;
-    edges.group.visible = triangles.group.visible = !onSurface;
+    const { landmarks, edges: sides, faces, witnesses } = this.shown;
+    // Edges of the surface are drawn with its triangles.
+    rows.group.visible = onSurface && (faces || sides);
+    edges.group.visible = !onSurface && sides;
+    triangles.group.visible = !onSurface && faces;
+    points.group.visible = landmarks;
+    if (this.witnesses) this.witnesses.visible = witnesses;
+    this.materials.shared.uShown.value.set(faces ? 1 : 0, sides ? 1 : 0);
     points.show(step, 0);
     if (onSurface) rows.show(step, 0);
     else {
       edges.show(step, track);
       triangles.show(step, track);
     }
+    this.requestRender();
+  }
+
+  setLayers(shown: ShownLayers): void {
+    this.shown = shown;
+    this.showStep(this.materials.shared.uStep.value);
+  }
+
+  /** By plateau: each family has its hue; by age: from the first landmark to the newest. */
+  colorByAge(byAge: boolean): void {
+    this.materials.shared.uByAge.value = byAge ? 1 : 0;
+    this.requestRender();
+  }
+
+  cutAt(section: Section | undefined): void {
+    const cut = this.materials.shared.uCut.value.copy(NO_CUT);
+    if (section) cut.set(0, 0, 0, section.place).setComponent(section.axis, 1);
     this.requestRender();
   }
 
@@ -118,8 +160,11 @@ export class ShapeView {
   requestRender(): void {
     this.renderRequest ||= requestAnimationFrame(() => {
       this.renderRequest = 0;
-      this.materials.shared.uDistance.value = this.camera.position.distanceTo(this.controls.target);
+      const distance = this.camera.position.distanceTo(this.controls.target);
+      this.materials.shared.uDistance.value = distance;
       this.renderer.render(this.scene, this.camera);
+      const seen = 2 * distance * Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
+      if (this.frame) this.onView(seen / this.container.clientHeight / this.frame.scale);
     });
   }
 

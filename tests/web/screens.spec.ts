@@ -1,0 +1,58 @@
+import type { Page } from '@playwright/test';
+import { drop, expect, root, test } from './page.ts';
+
+/** Pictures of every state a visitor meets, for people to look at: build/screens. */
+const FOLDER = 'build/screens';
+const SIZES = {
+  desktop: { width: 1280, height: 800 },
+  phone: { width: 390, height: 844 },
+} as const;
+
+for (const [device, viewport] of Object.entries(SIZES)) {
+  for (const colorScheme of ['light', 'dark'] as const) {
+    test(`screens: ${device}, ${colorScheme}`, async ({ page }) => {
+      test.setTimeout(180_000);
+      await page.setViewportSize(viewport);
+      await page.emulateMedia({ colorScheme });
+      const take = async (name: string): Promise<void> => {
+        await drawn(page);
+        await page.screenshot({ path: `${FOLDER}/${device}-${colorScheme}-${name}.png` });
+      };
+      await page.goto('./?sample=helix&n=800');
+      await expect.poll(async () => Number(await root(page).getAttribute('data-step'))).toBeGreaterThan(3);
+      await take('first-seconds');
+      await expect(root(page)).toHaveAttribute('data-run-state', 'finished', { timeout: 120_000 });
+      await page.locator('.cards button[data-betti="1,2,1"]').first().click();
+      await take('torus-plateau');
+      if (device === 'desktop') {
+        await page.keyboard.press('x');
+        await page.keyboard.press('c');
+        await page.getByText('Landmarks', { exact: true }).hover();
+        await take('section-by-age');
+        await page.keyboard.press('x');
+        await page.keyboard.press('c');
+      }
+      await page.locator('.cards button[data-betti="1,1,0"]').first().click();
+      await take('curve-plateau');
+      await drop(page, 'ragged.xyz', '0 0 0\n1 1 1\n1 0\n');
+      await expect(page.getByRole('alert')).toContainText(/line 3/i);
+      await take('dropped-error');
+      await page.getByRole('button', { name: 'Help' }).click();
+      await take('help');
+      await page.getByRole('button', { name: 'Close the help' }).click();
+      await page.getByRole('button', { name: 'Gallery', exact: true }).click();
+      await expect(page.locator('.shape-card canvas[data-drawn]')).toHaveCount(11);
+      await take('gallery');
+      await page.goto('./?sample=none');
+      await expect(root(page)).toHaveAttribute('data-run-state', 'empty');
+      await take('empty');
+    });
+  }
+}
+
+/** What was asked for is on the screen. */
+async function drawn(page: Page): Promise<void> {
+  await page.evaluate(
+    () => new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))),
+  );
+}
