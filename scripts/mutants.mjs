@@ -3,6 +3,7 @@
 import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { setImmediate } from 'node:timers/promises';
 import { jobs } from './build.mjs';
 import { Failure, capture, isScript, main, root } from './lib/run.mjs';
 import { setup } from './setup.mjs';
@@ -151,7 +152,7 @@ export async function runMutants({ only } = {}) {
     workshop.remember();
     for (const mutant of mutants) {
       // A turn of the event loop, in which an interruption is heard.
-      await new Promise((resolve) => setImmediate(resolve));
+      await setImmediate();
       const from = performance.now();
       const { verdict, note } = judge(workshop, mutant);
       if (verdict !== 'caught') bad += 1;
