@@ -11,13 +11,13 @@ import { setup } from './setup.mjs';
 const copied = ['CMakeLists.txt', 'core', 'wasm', 'tests'];
 
 /** Entries {file, find, replace, test, why}: `find` is exact, on one line, and occurs once in its file. */
-function readMutants(only) {
+export function readMutants(only) {
   const all = JSON.parse(readFileSync(join(root, 'tests', 'mutants', 'mutants.json'), 'utf8'));
   return all.filter(({ file, why }) => !only || file.includes(only) || why.includes(only));
 }
 
 /** Why the entry cannot be applied, or undefined. */
-function defect({ file, find, replace, test, why }) {
+export function defect({ file, find, replace, test, why }) {
   if (![file, find, replace, test, why].every((text) => typeof text === 'string'))
     return 'needs file, find, replace, test, why';
   if (find.includes('\n') || find === '' || find === replace)
