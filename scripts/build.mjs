@@ -44,7 +44,8 @@ export const sanitizedFolder = join(root, 'build', 'sanitized');
 
 /** The native build once more, with the address and undefined-behavior sanitizers. */
 export async function buildSanitized() {
-  await cmake(sanitizedFolder, ['-DPLATEAU_SANITIZE=ON']);
+  // Sanitized code makes GCC see uninitialized values in headers that are not ours; the plain build judges warnings.
+  await cmake(sanitizedFolder, ['-DPLATEAU_SANITIZE=ON', '-DPLATEAU_WERROR=OFF']);
 }
 
 /** `checks`: also the modules that only tests load. */
