@@ -2,47 +2,42 @@
 
 namespace plateau {
 
-void SurfaceBetti::record(Step step, const SurfaceTracker& surface, std::uint32_t rows) {
-    constexpr auto kNone = TemporalGraph::kNone;
-    while (node_.size() < rows) {
-        node_.push_back(graph_.add_node(step));
-        glued_.push_back({kNone, kNone, kNone});
+void SurfaceBetti::update(const SurfaceTracker& surface, std::uint32_t rows) {
+    while (label_.size() < rows) {
+        label_.push_back(labels_.make());
+        labels_.add(label_.back());
     }
+    search_.resize(rows);
     for (const GlueChange& change : surface.glue_changes()) {
-        auto& at_a = glued_[change.row_a][change.corner_a];
-        auto& at_b = glued_[change.row_b][change.corner_b];
-        if (change.begins) {
-            at_a = at_b = graph_.add_edge(node_[change.row_a], node_[change.row_b], step);
-        } else {
-            graph_.end_edge(at_a, step);
-            at_a = at_b = kNone;
+        if (change.begins) labels_.join(label_[change.row_a], label_[change.row_b]);
+    }
+    for (const std::uint32_t row : surface.ended_rows()) {
+        labels_.remove(label_[row]);
+        label_[row] = ComponentLabels::kNone;
+    }
+    // Every piece that came off holds a row that lost a partner.
+    suspects_.clear();
+    for (const GlueChange& change : surface.glue_changes()) {
+        if (change.begins) continue;
+        for (const std::uint32_t row : {change.row_a, change.row_b}) {
+            if (label_[row] != ComponentLabels::kNone) suspects_.push_back(row);
         }
     }
-    for (const std::uint32_t row : surface.ended_rows()) graph_.end_node(node_[row], step);
+    const auto label_of = [&](std::uint32_t row) -> ComponentLabels::Label& { return label_[row]; };
+    const auto visit_neighbors = [&](std::uint32_t row, const auto& use) {
+        for (std::uint32_t corner = 0; corner < 3; ++corner) use(surface.partner(row, corner));
+    };
+    const auto endless = [](std::uint32_t) { return false; };
+    labels_.for_each_shared(suspects_, label_of, [&](std::span<const std::uint32_t> suspects) {
+        search_.run(suspects, visit_neighbors, endless, [&](const auto& piece) { labels_.cut_off(piece, label_of); });
+    });
     // 3 T = 2 E on a closed surface.
-    euler_.push_back(std::int64_t{surface.vertex_count()} - std::int64_t{surface.triangle_count()} / 2);
-}
-
-bool SurfaceBetti::evaluate(const Deadline& deadline, std::vector<std::uint32_t>& betti) {
-    if (euler_.empty()) return true;
-    const Step last = first_pending_ + static_cast<Step>(euler_.size()) - 1;
-    if (!count_) count_.emplace(graph_, first_pending_, last);
-    if (!count_->advance(deadline)) return false;
-    for (std::size_t i = 0; i < euler_.size(); ++i) {
-        const std::uint32_t components = count_->components()[i];
-        betti.push_back(components);
-        betti.push_back(static_cast<std::uint32_t>(2 * std::int64_t{components} - euler_[i]));
-        betti.push_back(components);
-    }
-    count_.reset();
-    graph_.forget_ended();
-    first_pending_ = last + 1;
-    euler_.clear();
-    return true;
+    const auto euler = std::int64_t{surface.vertex_count()} - std::int64_t{surface.triangle_count()} / 2;
+    beta1_ = static_cast<std::uint32_t>(2 * std::int64_t{labels_.count()} - euler);
 }
 
 std::uint64_t SurfaceBetti::memory() const {
-    return graph_.memory() + node_.capacity() * sizeof(node_[0]) + glued_.capacity() * sizeof(glued_[0]);
+    return label_.capacity() * sizeof(label_[0]) + labels_.memory() + search_.memory();
 }
 
 }  // namespace plateau

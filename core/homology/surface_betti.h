@@ -2,11 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "homology/component_count.h"
-#include "homology/temporal_graph.h"
+#include "base/part_search.h"
+#include "homology/component_labels.h"
 #include "surface/surface_tracker.h"
 
 namespace plateau {
@@ -15,24 +14,20 @@ namespace plateau {
 /// beta_1 = 2 beta_0 - chi.
 class SurfaceBetti {
 public:
-    /// Follows one step of the tracker. `rows` is the number of rows so far.
-    void record(Step step, const SurfaceTracker& surface, std::uint32_t rows);
+    /// Follows one step of the tracker. `rows` is the number of rows so far. Cost: about the rows that came and went,
+    /// and the pieces that came off.
+    void update(const SurfaceTracker& surface, std::uint32_t rows);
 
-    /// Works until the deadline on the recorded steps that have not been evaluated yet; nothing may be recorded before
-    /// it is done. True when done: then beta_0, beta_1, beta_2 of each have been appended, 0, 0, 0 where it is empty.
-    bool evaluate(const Deadline& deadline, std::vector<std::uint32_t>& betti);
-
-    std::uint64_t live() const { return graph_.live(); }
-    std::uint64_t changes() const { return graph_.changes(); }
+    /// beta_0, beta_1, beta_2 after the last step; 0, 0, 0 where the surface is empty.
+    std::array<std::uint32_t, 3> numbers() const { return {labels_.count(), beta1_, labels_.count()}; }
     std::uint64_t memory() const;
 
 private:
-    TemporalGraph graph_;                                    // nodes: rows; edges: what is glued
-    std::vector<TemporalGraph::Node> node_;                  // by row
-    std::vector<std::array<TemporalGraph::Edge, 3>> glued_;  // by row and corner
-    std::optional<ComponentCount> count_;                    // of an evaluation under way
-    Step first_pending_ = 1;
-    std::vector<std::int64_t> euler_;
+    ComponentLabels labels_;
+    std::vector<ComponentLabels::Label> label_;  // by row; none once it has ended
+    std::vector<std::uint32_t> suspects_;
+    PartSearch search_;
+    std::uint32_t beta1_ = 0;
 };
 
 }  // namespace plateau

@@ -35,13 +35,12 @@ Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
         surface_.emplace(options.rho);
         surface_betti_.emplace();
     }
-    const int dimension = static_cast<int>(cloud.dimension);
-    if (options.family == Family::Delaunay) embedded_.emplace(0, dimension);
-    if (options.family == Family::Auto) embedded_.emplace(1, dimension);
+    if (options.family == Family::Delaunay) embedded_.emplace(0);
+    if (options.family == Family::Auto) embedded_.emplace(1);
 }
 
 std::optional<Error> Engine::insert(std::uint32_t input_index) {
-    const Step step = inserted() + 1;
+    const Step step = timeline_.step_count + 1;
     const std::uint32_t nearest = lists_.list(lists_.witness(input_index))[0];
 
     const DelaunayChange* change = nullptr;
@@ -59,20 +58,17 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
     record_deaths();
     if (change != nullptr) {
         faces_.update(step, *delaunay_, *change, complex_, timeline_.simplices);
-        changes_ += change->born.size() + change->died.size();
     }
     if (surface_) {
         const LandmarkPoints points{cloud_, &timeline_.landmarks};
         surface_->update(step, *delaunay_, *change, complex_, faces_, complex_.deaths(), points, timeline_);
         timeline_.first_row_of_step.push_back(static_cast<std::uint32_t>(timeline_.surface.size()));
         timeline_.first_ended_row_of_step.push_back(timeline_.ended_rows.size());
-        surface_betti_->record(step, *surface_, static_cast<std::uint32_t>(timeline_.surface.size()));
+        surface_betti_->update(*surface_, static_cast<std::uint32_t>(timeline_.surface.size()));
     }
-    if (embedded_) embedded_->record(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, faces_);
-    if (options_.family == Family::Witness) {
-        const auto betti = general_betti(timeline_.simplices, 0, step, timeline_.dimension, options_.field);
-        complex_numbers_.insert(complex_numbers_.end(), betti.begin(), betti.end());
-    }
+    if (embedded_) embedded_->update(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, faces_);
+    record_numbers(step);
+    timeline_.step_count = step;
     return std::nullopt;
 }
 
@@ -82,36 +78,24 @@ void Engine::record_deaths() {
     timeline_.first_death_of_step.push_back(timeline_.deaths.size());
 }
 
-bool Engine::block_is_full() const {
-    if (options_.family == Family::Witness) return true;
-    constexpr std::uint64_t kSmallestBlock = 2048;
-    std::uint64_t live = 0;
-    if (embedded_) live += embedded_->live();
-    if (surface_betti_) live += surface_betti_->live();
-    return changes_ >= std::max(kSmallestBlock, live / 2);
+void Engine::record_numbers(Step step) {
+    const std::uint32_t d = timeline_.dimension;
+    const bool shows_surface =
+        options_.family == Family::Surface || (surface_betti_ && surface_betti_->numbers().front() > 0);
+    if (options_.family == Family::Witness) {
+        const auto numbers = general_betti(timeline_.simplices, 0, step, d, options_.field);
+        timeline_.betti.insert(timeline_.betti.end(), numbers.begin(), numbers.end());
+    } else {
+        const auto numbers = shows_surface ? surface_betti_->numbers() : embedded_->numbers();
+        timeline_.betti.insert(timeline_.betti.end(), numbers.begin(), numbers.begin() + d);
+    }
+    const Family complex = options_.family == Family::Auto ? Family::Delaunay : options_.family;
+    timeline_.shown_family.push_back(shows_surface ? Family::Surface : complex);
 }
 
-bool Engine::evaluate(const Deadline& deadline) {
-    if (embedded_ && !embedded_->evaluate(deadline, complex_numbers_)) return false;
-    if (surface_betti_ && !surface_betti_->evaluate(deadline, surface_numbers_)) return false;
-    const Step first = timeline_.step_count + 1;
-    const std::size_t d = timeline_.dimension;
-    for (Step step = first; step <= inserted(); ++step) {
-        const std::size_t at = (step - first) * d;
-        const bool shows_surface =
-            options_.family == Family::Surface || (options_.family == Family::Auto && surface_numbers_[at] > 0);
-        const auto& shown = shows_surface ? surface_numbers_ : complex_numbers_;
-        const auto begin = shown.begin() + static_cast<std::ptrdiff_t>(at);
-        timeline_.betti.insert(timeline_.betti.end(), begin, begin + static_cast<std::ptrdiff_t>(d));
-        const Family complex = options_.family == Family::Auto ? Family::Delaunay : options_.family;
-        timeline_.shown_family.push_back(shows_surface ? Family::Surface : complex);
-        timeline_.step_count = step;
-        extend_hash(step);
-    }
-    complex_numbers_.clear();
-    surface_numbers_.clear();
-    changes_ = 0;
-    return true;
+std::uint64_t Engine::hash() {
+    while (hashed_ < timeline_.step_count) extend_hash(++hashed_);
+    return hash_.value();
 }
 
 // Step, landmark, bits of epsilon, births, deaths, surface rows, shown family and Betti numbers.

@@ -27,8 +27,8 @@ struct EngineOptions {
     std::uint32_t field = 2;
 };
 
-/// One insertion after the other, through every room: lists, D(L), complex, surface, and the record of it all. Betti
-/// numbers follow in blocks of steps whose length the data decide.
+/// One insertion after the other, through every room: lists, D(L), complex, surface, Betti numbers, and the record of
+/// it all.
 class Engine {
 public:
     /// `cloud` must outlive the engine.
@@ -43,19 +43,14 @@ public:
     std::uint32_t farthest() const { return lists_.farthest(); }
     double epsilon_squared() const { return lists_.farthest_distance_squared(); }
 
-    /// Whether enough has changed since the last evaluation to make the next one worth its cost.
-    bool block_is_full() const;
-    /// Works until the deadline on the Betti numbers and the hash of all inserted steps. True when done: then
-    /// timeline.step_count is the number of insertions. Nothing may be inserted while an evaluation is under way.
-    bool evaluate(const Deadline& deadline);
-
-    Step inserted() const { return static_cast<Step>(timeline_.landmarks.size()); }
     const Timeline& timeline() const { return timeline_; }
-    std::uint64_t hash() const { return hash_.value(); }
+    /// Of all steps so far. Cost: the records since the last call.
+    std::uint64_t hash();
     std::uint64_t memory() const;
 
 private:
     void record_deaths();
+    void record_numbers(Step step);
     void extend_hash(Step step);
 
     const PointCloud* cloud_;
@@ -68,9 +63,7 @@ private:
     std::optional<SurfaceTracker> surface_;
     std::optional<EmbeddedBetti> embedded_;
     std::optional<SurfaceBetti> surface_betti_;
-    std::vector<std::uint32_t> complex_numbers_;  // Betti numbers of pending steps: of the complex,
-    std::vector<std::uint32_t> surface_numbers_;  // and of the surface
-    std::uint64_t changes_ = 0;                   // since the last evaluation
+    Step hashed_ = 0;  // steps in the hash
     Fnv1a64 hash_;
 };
 

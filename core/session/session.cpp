@@ -35,9 +35,8 @@ struct Session::State {
     bool prepared = false;
     RunState end = RunState::Running;  // Finished or Stopped once no more is to be inserted
     std::optional<Error> stopped;
-    bool evaluating = false;  // a block of steps is being evaluated; it is finished before the next insertion
 
-    bool all_evaluated() const { return engine.timeline().step_count == engine.inserted(); }
+    Step steps() const { return engine.timeline().step_count; }
     void insert_next();
 };
 
@@ -70,36 +69,28 @@ Progress Session::run(const Budget& budget) {
 
     std::uint32_t inserted = 0;
     do {
-        if (s.evaluating) {
-            s.evaluating = !s.engine.evaluate(deadline);
-        } else if (s.end == RunState::Running && inserted < budget.steps) {
-            s.insert_next();
-            ++inserted;
-            s.evaluating = s.engine.block_is_full();
-        } else if (s.all_evaluated()) {
-            break;
-        } else {
-            s.evaluating = true;
-        }
+        if (s.end != RunState::Running || inserted == budget.steps) break;
+        s.insert_next();
+        ++inserted;
     } while (!deadline.passed());
     return progress();
 }
 
 void Session::State::insert_next() {
-    const std::uint32_t next = engine.inserted() == 0 ? options.first : engine.farthest();
+    const std::uint32_t next = steps() == 0 ? options.first : engine.farthest();
     if (auto failure = engine.insert(next)) {
         stopped = std::move(failure);
         end = RunState::Stopped;
         return;
     }
     const double epsilon_squared = engine.epsilon_squared();
-    const bool done = engine.inserted() == std::min(cloud.size(), options.max_steps) || epsilon_squared == 0 ||
+    const bool done = steps() == std::min(cloud.size(), options.max_steps) || epsilon_squared == 0 ||
                       std::sqrt(epsilon_squared) <= options.until_epsilon;
     if (done) {
         end = RunState::Finished;
     } else if (engine.memory() > options.memory_limit) {
         stopped = Error{ErrorCode::OutOfMemory,
-                        "Stopped after " + std::to_string(engine.inserted()) + " of " + std::to_string(cloud.size()) +
+                        "Stopped after " + std::to_string(steps()) + " of " + std::to_string(cloud.size()) +
                             " points: the run holds more than " + in_megabytes(options.memory_limit) +
                             ". On a curve in space the Delaunay triangulation grows with the square of the number of "
                             "landmarks. All steps so far are complete."};
@@ -111,7 +102,7 @@ Progress Session::progress() const {
     const State& s = *state_;
     const Timeline& timeline = s.engine.timeline();
     Progress progress;
-    if (s.prepared) progress.state = s.all_evaluated() ? s.end : RunState::Running;
+    if (s.prepared) progress.state = s.end;
     progress.steps_done = timeline.step_count;
     progress.steps_planned = std::min(s.cloud.size(), s.options.max_steps);
     progress.epsilon = timeline.step_count == 0 ? 0 : timeline.epsilon(timeline.step_count);

@@ -39,7 +39,7 @@ enum class RunState : std::uint8_t {
 
 struct Progress {
     RunState state = RunState::Preparing;
-    Step steps_done = 0;     ///< complete steps: those with Betti numbers
+    Step steps_done = 0;
     Step steps_planned = 0;  ///< an upper bound: min(n, max_steps)
     double epsilon = 0;      ///< of the last complete step; 0 before the first
     std::optional<Error> stopped;
@@ -56,10 +56,7 @@ public:
     Session& operator=(Session&&) noexcept;
     ~Session();
 
-    /// Works until the budget is spent: at least one slice of preparation, one step, or a part of an evaluation. Steps
-    /// are complete when their Betti numbers are known, which are evaluated in blocks of steps whose length the data
-    /// decide; so under a budget of time a call may complete no step and a later one many. A budget of steps, and the
-    /// end of the run, evaluate the block they cut: with infinite time no step is left behind.
+    /// Works until the budget is spent: at least one slice of preparation or one whole step, with its Betti numbers.
     Progress run(const Budget& budget);
     Progress progress() const;
 

@@ -39,6 +39,8 @@ public:
     /// Rows that the last step appended are those from this index on.
     std::span<const std::uint32_t> ended_rows() const { return ended_; }
     std::span<const GlueChange> glue_changes() const { return glue_changes_; }
+    /// The row that a living row is glued to along the edge that lacks the corner.
+    std::uint32_t partner(std::uint32_t row, std::uint32_t corner) const { return partner_[row][corner].row; }
     /// Number of triangles and of vertices, those met twice counted twice.
     std::uint32_t triangle_count() const { return triangle_count_; }
     std::uint32_t vertex_count() const { return vertex_count_; }

@@ -25,13 +25,12 @@ struct SurfaceRow {
     Step to = kNever;  ///< in the surface at step i exactly for from <= i < to
 };
 
-/// The append-only record of a run: everything any step needs, as lifespans. Steps 1 .. step_count() are complete;
-/// entries of later steps may be under way and have births or deaths beyond step_count().
+/// The append-only record of a run: everything any step needs, as lifespans, for steps 1 .. step_count.
 struct Timeline {
     std::uint32_t dimension = 0;  ///< of the cloud
     Family family = Family::Auto;
     int track_count = 1;
-    Step step_count = 0;  ///< steps with Betti numbers
+    Step step_count = 0;
 
     std::vector<std::uint32_t> landmarks;          ///< [step-1] = 0-based input index
     std::vector<double> epsilon_squared;           ///< [step-1] = epsilon(step)^2, input units squared, non-increasing
