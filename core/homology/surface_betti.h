@@ -2,10 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
-#include "base/part_search.h"
-#include "homology/component_labels.h"
+#include "base/dynamic_components.h"
 #include "surface/surface_tracker.h"
 
 namespace plateau {
@@ -14,19 +12,16 @@ namespace plateau {
 /// beta_1 = 2 beta_0 - chi.
 class SurfaceBetti {
 public:
-    /// Follows one step of the tracker. `rows` is the number of rows so far. Cost: about the rows that came and went,
-    /// and the pieces that came off.
+    /// Follows one step of the tracker. `rows` is the number of rows so far.
     void update(const SurfaceTracker& surface, std::uint32_t rows);
 
     /// beta_0, beta_1, beta_2 after the last step; 0, 0, 0 where the surface is empty.
-    std::array<std::uint32_t, 3> numbers() const { return {labels_.count(), beta1_, labels_.count()}; }
-    std::uint64_t memory() const;
+    std::array<std::uint32_t, 3> numbers() const { return {components_.count(), beta1_, components_.count()}; }
+    std::uint64_t memory() const { return components_.memory(); }
 
 private:
-    ComponentLabels labels_;
-    std::vector<ComponentLabels::Label> label_;  // by row; none once it has ended
-    std::vector<std::uint32_t> suspects_;
-    PartSearch search_;
+    DynamicComponents components_;  // nodes: rows; edges: what is glued
+    std::uint32_t rows_ = 0;
     std::uint32_t beta1_ = 0;
 };
 

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/component_labels.h"
+#include "base/part_search.h"
+
+namespace plateau {
+
+/// Connected components of a graph that changes step by step: a step names the nodes and edges that come and go, then
+/// settles. Neither kept nor copied here is the graph itself: a search asks for the neighbors that a node has now.
+///
+/// What a step removes has mostly a stand-in in what it adds: all that was joined through removed edges is joined
+/// through added ones. Only where that fails may something have come apart, and a search decides.
+/// Cost: the changes, and where pieces may have come off about their size, or the way around.
+class DynamicComponents {
+public:
+    using Node = std::uint32_t;
+    static constexpr Node kNoNode = 0xFFFFFFFFu;
+
+    /// `endless`: a node with neighbors too many to visit; searches end there. Its neighbors visit it.
+    explicit DynamicComponents(Node endless = kNoNode) : endless_(endless) {}
+
+    /// Nodes are 0 .. count-1; none is there before it is added.
+    void resize(std::size_t count) {
+        search_.resize(count);
+        states_.resize(count);
+    }
+    void add_node(Node node) { slots_[slot(node)].fate = Fate::Added; }
+    /// With all its edges, which are to be removed one by one.
+    void remove_node(Node node) { slots_[slot(node)].fate = Fate::Removed; }
+    void add_edge(Node a, Node b) { unite(&Slot::added, slot(a), slot(b)); }
+    void remove_edge(Node a, Node b) { unite(&Slot::removed, slot(a), slot(b)); }
+
+    /// Ends the step: all changes are named. `visit_neighbors(node, use)` calls use(neighbor) by the graph as it is
+    /// now.
+    template <class VisitNeighbors>
+    void settle(const VisitNeighbors& visit_neighbors) {
+        label_added();
+        find_suspects();
+        const auto label_of = [&](Node node) -> ComponentLabels::Label& { return states_[node].label; };
+        const auto endless = [&](Node node) { return node == endless_; };
+        labels_.for_each_shared(suspects_, label_of, [&](std::span<const Node> suspects) {
+            search_.run(suspects, visit_neighbors, endless,
+                        [&](const auto& piece) { labels_.cut_off(piece, label_of); });
+        });
+        slots_.clear();
+        ++now_;
+    }
+
+    /// Number of components after the last settled step.
+    std::uint32_t count() const { return labels_.count(); }
+    std::uint64_t memory() const;
+
+private:
+    enum class Fate : std::uint8_t { Stays, Added, Removed };
+    /// A node that this step concerns, in two union-finds: by the edges removed, and by those added.
+    struct Slot {
+        Node node;
+        std::uint32_t removed, added;  // parents
+        ComponentLabels::Label label;  // at roots of `added`: of the nodes that were there
+        std::uint32_t first;           // at roots of `removed`: the first slot of the set that stays
+        bool apart;                    // at roots of `removed`: added edges do not join all of them
+        Fate fate;
+    };
+    struct State {
+        ComponentLabels::Label label = ComponentLabels::kNone;
+        std::uint32_t seen = 0;  // the step of the slot
+        std::uint32_t slot = 0;
+    };
+
+    std::uint32_t slot(Node node);
+    std::uint32_t root(std::uint32_t Slot::* parent, std::uint32_t slot);
+    void unite(std::uint32_t Slot::* parent, std::uint32_t a, std::uint32_t b);
+    void label_added();
+    void find_suspects();
+
+    Node endless_;
+    std::uint32_t now_ = 1;
+    std::vector<State> states_;  // by node
+    std::vector<Slot> slots_;
+    std::vector<Node> suspects_;
+    ComponentLabels labels_;
+    PartSearch search_;
+};
+
+}  // namespace plateau
