@@ -3,14 +3,14 @@
 #include <array>
 #include <vector>
 
-#include "complex/nu_complex.h"
+#include "complex/delaunay_link.h"
 #include "complex/simplex_table.h"
 #include "delaunay/delaunay.h"
 
 namespace plateau {
 
-/// Where the recorded triangles and tetrahedra lie among the cells of a three-dimensional D(L), and back: the
-/// dictionary between the complex and its complement. While D(L) is flat it is empty.
+/// Which recorded simplices the faces of each cell of D(L) are, and where the recorded triangles and tetrahedra lie
+/// among the cells: the dictionary between complex and triangulation, so that nothing is looked up by its vertices.
 class DelaunayFaces {
 public:
     /// A facet of D(L) seen from one of its two cells: the one opposite vertex `index` of `cell`.
@@ -19,24 +19,36 @@ public:
         int index = 0;
     };
 
-    /// Follows one insertion, after the complex has followed it. Cost: O(cells born).
-    void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const NuComplex& complex,
+    /// Follows one insertion, after its simplices were born. Cost: O(cells born).
+    void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const DelaunayLink& link,
                 const std::vector<SimplexTable>& tables);
 
-    /// The recorded triangle opposite vertex `index` of the cell, or kNoSimplex if no track ever held it.
-    SimplexIndex triangle(CellId cell, int index) const { return triangle_[cell][static_cast<std::size_t>(index)]; }
+    /// The recorded edge between two vertices of the cell, by their places, or kNoSimplex if no track ever held it.
+    SimplexIndex edge(CellId cell, std::size_t i, std::size_t j) const { return faces_[cell].edge[kEdge[i][j]]; }
+    /// The recorded triangle opposite vertex `index` of the cell, or kNoSimplex. Of a flat D(L): the cell itself, at
+    /// index 3.
+    SimplexIndex triangle(CellId cell, int index) const {
+        return faces_[cell].triangle[static_cast<std::size_t>(index)];
+    }
     /// The recorded tetrahedron that the cell is, or kNoSimplex.
-    SimplexIndex tetrahedron(CellId cell) const { return tetrahedron_[cell]; }
-    /// One of the two places of a triangle that is in D(L).
+    SimplexIndex tetrahedron(CellId cell) const { return faces_[cell].tetrahedron; }
+    /// One of the two places of a triangle that is in a spatial D(L).
     Facet facet(SimplexIndex triangle) const { return facet_[triangle]; }
     /// The cell of a tetrahedron that is in D(L).
     CellId cell(SimplexIndex tetrahedron) const { return cell_[tetrahedron]; }
+    std::uint64_t memory() const;
 
 private:
-    std::vector<std::array<SimplexIndex, 4>> triangle_;
-    std::vector<SimplexIndex> tetrahedron_;
-    std::vector<Facet> facet_;
-    std::vector<CellId> cell_;
+    static constexpr std::size_t kEdge[4][4] = {{6, 0, 1, 2}, {0, 6, 3, 4}, {1, 3, 6, 5}, {2, 4, 5, 6}};
+    struct Faces {
+        std::array<SimplexIndex, 6> edge{kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex};
+        std::array<SimplexIndex, 4> triangle{kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex};
+        SimplexIndex tetrahedron = kNoSimplex;
+    };
+
+    std::vector<Faces> faces_;   // by cell
+    std::vector<Facet> facet_;   // by triangle
+    std::vector<CellId> cell_;   // by tetrahedron
 };
 
 }  // namespace plateau

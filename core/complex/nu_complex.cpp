@@ -9,19 +9,8 @@ namespace plateau {
 
 namespace {
 
+constexpr std::uint32_t kNone = DelaunayLink::kNone;
 constexpr std::uint32_t kEnd = 0xFFFFFFFFu;  // of an encoded list
-constexpr int kDimensionBits = 3;
-
-std::uint32_t encode(int k, SimplexIndex simplex) {
-    return simplex << kDimensionBits | static_cast<std::uint32_t>(k);
-}
-
-bool contains(std::span<const std::uint32_t> list, std::uint32_t count, Step step) {
-    for (std::uint32_t rank = 0; rank < count; ++rank) {
-        if (list[rank] == step) return true;
-    }
-    return false;
-}
 
 // Calls use(tuple) for every ascending k-subset of the ascending `from`.
 template <class Use>
@@ -43,14 +32,17 @@ void for_each_subset(std::span<const Step> from, std::size_t k, const Use& use) 
     for_each_subset(from, k, tuple, 0, 0, use);
 }
 
+bool witnessed(const DelaunayLink::FirstWitness& first_witness) {
+    return first_witness[0] != kNone || first_witness[1] != kNone;
+}
+
 }  // namespace
 
 NuComplex::NuComplex(std::vector<std::vector<std::uint32_t>> nu, int max_dimension, std::uint32_t witness_count)
-    : nu_(std::move(nu)) {
-    for (int k = 1; k <= max_dimension; ++k) links_.emplace_back(k);
-    books_.resize(static_cast<std::size_t>(max_dimension));
-    for (Book& book : books_) book.watch.resize(nu_.size());
-    first_watched_.assign(nu_.size(), std::vector<std::uint32_t>(witness_count, kEnd));
+    : nu_(std::move(nu)),
+      books_(static_cast<std::size_t>(max_dimension)),
+      watches_(nu_.size(), static_cast<std::size_t>(max_dimension), witness_count) {
+    for (int k = 1; k <= max_dimension; ++k) candidates_.emplace_back(k);
 }
 
 std::uint32_t NuComplex::nu(int track, int k) const {
@@ -59,256 +51,284 @@ std::uint32_t NuComplex::nu(int track, int k) const {
 }
 
 void NuComplex::insert(Step step, const LandmarkLists& lists, std::span<const ListEntry> entries,
-                       const Delaunay* delaunay, const DelaunayChange* change, std::vector<SimplexTable>& tables) {
+                       std::vector<SimplexTable>& of_dimension) {
+    Tables tables{step, of_dimension};
+    begin_step(entries);
+    lose_witnesses(lists, entries, tables);
+    fill_tables(lists, entries);
+    for (int k = 1; k <= max_dimension(); ++k) bear_tables(k, tables);
+    end_step(tables);
+}
+
+void NuComplex::insert(Step step, const LandmarkLists& lists, std::span<const ListEntry> entries,
+                       const Delaunay& delaunay, const DelaunayChange& change,
+                       std::vector<SimplexTable>& of_dimension) {
+    Tables tables{step, of_dimension};
+    begin_step(entries);
+    link_.build(step, delaunay, change, faces_, of_dimension);
+    lose_in_delaunay(delaunay, change, tables);
+    lose_witnesses(lists, entries, tables);
+    mark_link(lists, entries);
+    bear_link(tables);
+    end_step(tables);
+    faces_.update(step, delaunay, change, link_, of_dimension);
+}
+
+void NuComplex::begin_step(std::span<const ListEntry> entries) {
     deaths_.clear();
-    for (LinkTable& link : links_) link.clear();
-    for (const ListEntry& entry : entries) entered_.push_back(entry.witness);
-    first_entered_.push_back(entered_.size());
+    watches_.begin_step(entries);
+}
 
-    if (change != nullptr) {
-        fill_star(step, *delaunay, *change);
-        remove_lost_in_delaunay(step, *delaunay, *change, tables);
+void NuComplex::end_step(Tables& tables) {
+    for (SimplexTable& table : tables.of_dimension) {
+        table.first_of_step.resize(tables.step + std::size_t{2}, 0);
+        table.first_of_step[tables.step + 1] = table.size();
     }
-    move_watches(step, lists, entries, tables);
-    mark_witnessed(lists, entries, change == nullptr);
-    for (int k = 1; k <= max_dimension(); ++k) bear(step, k, tables);
-
     std::sort(deaths_.begin(), deaths_.end(), [&](const Death& a, const Death& b) {
         if (a.track != b.track) return a.track < b.track;
         if (a.dimension != b.dimension) return a.dimension < b.dimension;
-        const SimplexTable& table = tables[a.dimension - 1u];
+        const SimplexTable& table = tables[a.dimension];
         const auto x = table.tuple(a.simplex);
         const auto y = table.tuple(b.simplex);
         return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
     });
 }
 
-// The simplices of D(L) that contain p, as simplices of its link.
-void NuComplex::fill_star(Step step, const Delaunay& delaunay, const DelaunayChange& change) {
-    for (const CellId id : change.born) {
-        const DelaunayCell& cell = delaunay.cell(id);
-        if (!cell.finite(change.dimension)) continue;
-        std::array<Step, 4> others{};
-        std::size_t count = 0;
-        for (std::size_t i = 0; i <= static_cast<std::size_t>(change.dimension); ++i) {
-            if (cell.vertex[i] != step) others[count++] = cell.vertex[i];
-        }
-        if (count > static_cast<std::size_t>(change.dimension)) continue;
-        sort_few(others.data(), count);
-        for (std::size_t k = 1; k <= count; ++k) {
-            for_each_subset({others.data(), count}, k, [&](const Step* tuple) { links_[k - 1].insert(tuple); });
-        }
-    }
-}
-
-// A face of a dead cell is still in D(L) exactly if it is in the link of p.
-void NuComplex::remove_lost_in_delaunay(Step step, const Delaunay& delaunay, const DelaunayChange& change,
-                                        std::vector<SimplexTable>& tables) {
-    if (change.dimension_rose) return;  // D(L) became a cone over itself
-    for (const CellId id : change.died) {
-        const DelaunayCell& cell = delaunay.cell(id);
-        std::array<Step, 4> vertices{};
-        std::size_t count = 0;
-        for (std::size_t i = 0; i <= static_cast<std::size_t>(change.dimension); ++i) {
-            if (cell.vertex[i] != kInfiniteVertex) vertices[count++] = cell.vertex[i];
-        }
-        sort_few(vertices.data(), count);
-        for (std::size_t size = 2; size <= count; ++size) {
-            for_each_subset({vertices.data(), count}, size, [&](const Step* tuple) {
-                const bool in_link = size <= links_.size() && links_[size - 1].find(tuple) != kNoSimplex;
-                if (in_link) return;
-                const SimplexIndex simplex = tables[size - 2].find({tuple, size});
-                if (simplex == kNoSimplex) return;
-                for (int track = 0; track < track_count(); ++track) {
-                    kill(step, track, static_cast<int>(size) - 1, simplex, tables);
+void NuComplex::lose_witnesses(const LandmarkLists& lists, std::span<const ListEntry> entries, Tables& tables) {
+    for (const ListEntry& entry : entries) {
+        const auto list = lists.list(entry.witness);
+        for (int track = 0; track < track_count(); ++track) {
+            const auto dropped = [&](int k) -> Step {
+                const std::uint32_t count = nu(track, k);
+                if (entry.rank >= count) return 0;
+                return count < list.size() ? list[count] : entry.dropped;
+            };
+            watches_.release(track, entry.witness, tables.of_dimension, dropped, [&](int k, SimplexIndex simplex) {
+                const auto tuple = tables[k].tuple(simplex);
+                if (!watches_.move_on(track, k, simplex, tuple, nu(track, k), lists)) {
+                    kill(track, k, simplex, tables);
                 }
             });
         }
     }
 }
 
-void NuComplex::move_watches(Step step, const LandmarkLists& lists, std::span<const ListEntry> entries,
-                             std::vector<SimplexTable>& tables) {
-    for (const ListEntry& entry : entries) {
-        const auto list = lists.list(entry.witness);
-        for (int track = 0; track < track_count(); ++track) {
-            std::uint32_t* link = &first_watched_[static_cast<std::size_t>(track)][entry.witness];
-            while (*link != kEnd) {
-                const int k = static_cast<int>(*link & ((1u << kDimensionBits) - 1));
-                const SimplexIndex simplex = *link >> kDimensionBits;
-                const SimplexTable& table = tables[static_cast<std::size_t>(k - 1)];
-                std::uint32_t& next =
-                    books_[static_cast<std::size_t>(k - 1)].watch[static_cast<std::size_t>(track)].next[simplex];
-                const bool lives = table.death[static_cast<std::size_t>(track)][simplex] == kNever;
-                bool witnessed = lives;
-                if (lives && entry.rank < nu(track, k)) {
-                    for (const Step vertex : table.tuple(simplex)) {
-                        witnessed = witnessed && contains(list, nu(track, k), vertex);
+// A face of a dead cell is still in D(L) exactly if it is in the link of p.
+void NuComplex::lose_in_delaunay(const Delaunay& delaunay, const DelaunayChange& change, Tables& tables) {
+    if (change.dimension_rose) return;  // D(L) became a cone over itself
+    const auto die = [&](int k, SimplexIndex simplex) {
+        if (simplex == kNoSimplex) return;
+        for (int track = 0; track < track_count(); ++track) kill(track, k, simplex, tables);
+    };
+    const auto corners = static_cast<std::size_t>(change.dimension) + 1;
+    for (const CellId id : change.died) {
+        const DelaunayCell& cell = delaunay.cell(id);
+        for (std::size_t i = 0; i < corners; ++i) {
+            for (std::size_t j = i + 1; j < corners; ++j) {
+                const SimplexIndex edge = faces_.edge(id, i, j);
+                if (edge == kNoSimplex) continue;
+                const bool in_link = corners > 2 && link_.edge(link_.vertex(cell.vertex[i]),
+                                                               link_.vertex(cell.vertex[j])) != kNone;
+                if (!in_link) die(1, edge);
+            }
+        }
+        if (corners == 3) die(2, faces_.triangle(id, 3));
+        if (corners < 4) continue;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (!delaunay.cell(cell.neighbor[i]).alive) die(2, faces_.triangle(id, static_cast<int>(i)));
+        }
+        die(3, faces_.tetrahedron(id));
+    }
+}
+
+// For every simplex of the link the first entry whose witness nu_k-witnesses it together with p, per track.
+void NuComplex::mark_link(const LandmarkLists& lists, std::span<const ListEntry> entries) {
+    auto& vertices = link_.vertices();
+    auto& edges = link_.edges();
+    auto& triangles = link_.triangles();
+    for (std::uint32_t at = 0; at < entries.size(); ++at) {
+        const auto list = lists.list(entries[at].witness);
+        // The list by place in the link; p itself is not in it.
+        places_.clear();
+        for (const Step landmark : list) places_.push_back(link_.vertex(landmark));
+        const auto mark = [&](std::size_t track, FirstWitness& first_witness) {
+            if (first_witness[track] == kNone) first_witness[track] = at;
+        };
+        for (std::size_t track = 0; track < nu_.size(); ++track) {
+            const auto reach = [&](int k) {
+                const std::uint32_t count = nu(static_cast<int>(track), k);
+                return entries[at].rank < count ? count : 0;
+            };
+            for (std::uint32_t i = 0; i < reach(1); ++i) {
+                if (places_[i] != kNone) mark(track, vertices[places_[i]].first_witness);
+            }
+            const std::uint32_t for_edges = edges.empty() ? 0 : reach(2);
+            const std::uint32_t for_triangles = triangles.empty() ? 0 : reach(3);
+            const std::uint32_t count = std::max(for_edges, for_triangles);
+            for (std::uint32_t j = 1; j < count; ++j) {
+                for (std::uint32_t i = 0; i < j; ++i) {
+                    if (places_[i] == kNone || places_[j] == kNone) continue;
+                    const std::uint32_t edge = link_.edge(places_[i], places_[j]);
+                    if (edge == kNone) continue;
+                    if (j < for_edges) mark(track, edges[edge].first_witness);
+                    for (std::uint32_t h = 0; j < for_triangles && h < i; ++h) {
+                        if (places_[h] == kNone) continue;
+                        const std::uint32_t triangle = link_.triangle(edge, places_[h]);
+                        if (triangle != kNone) mark(track, triangles[triangle].first_witness);
                     }
-                }
-                if (witnessed) {
-                    link = &next;
-                    continue;
-                }
-                *link = next;
-                if (lives && !find_next_witness(lists, track, k, simplex, table)) {
-                    kill(step, track, k, simplex, tables);
                 }
             }
         }
     }
 }
 
-bool NuComplex::find_next_witness(const LandmarkLists& lists, int track, int k, SimplexIndex simplex,
-                                  const SimplexTable& table) {
-    const auto tuple = table.tuple(simplex);
-    const Step birth = tuple.back();
-    const std::uint32_t count = nu(track, k);
-    const auto begin = first_entered_[birth];
-    const auto size = static_cast<std::uint32_t>(first_entered_[birth + 1] - begin);
-    const Watch& watch_book = books_[static_cast<std::size_t>(k - 1)].watch[static_cast<std::size_t>(track)];
-    for (std::uint32_t cursor = watch_book.cursor[simplex] + 1; cursor < size; ++cursor) {
-        const auto list = lists.list(entered_[begin + cursor]);
-        bool witnessed = true;
-        for (std::size_t i = tuple.size(); witnessed && i-- > 0;) witnessed = contains(list, count, tuple[i]);
-        if (!witnessed) continue;
-        watch(track, k, simplex, birth, cursor);
-        return true;
+// Births in the order of their tuples, which is that of the places in the link.
+void NuComplex::bear_link(Tables& tables) {
+    auto& vertices = link_.vertices();
+    auto& edges = link_.edges();
+    auto& triangles = link_.triangles();
+    for (auto& vertex : vertices) {
+        if (witnessed(vertex.first_witness)) {
+            vertex.born = bear(1, {&vertex.step, 1}, {}, vertex.first_witness, tables);
+        }
     }
-    return false;
+    order_.clear();
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+        if (witnessed(edges[i].first_witness)) order_.push_back(i);
+    }
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t x, std::uint32_t y) {
+        return edges[x].a != edges[y].a ? edges[x].a < edges[y].a : edges[x].b < edges[y].b;
+    });
+    for (const std::uint32_t i : order_) {
+        auto& edge = edges[i];
+        const auto& a = vertices[edge.a];
+        const auto& b = vertices[edge.b];
+        edge.born = bear(2, std::array{a.step, b.step}, std::array{b.born, a.born, edge.base}, edge.first_witness,
+                         tables);
+    }
+    order_.clear();
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        if (witnessed(triangles[i].first_witness)) order_.push_back(i);
+    }
+    std::sort(order_.begin(), order_.end(),
+              [&](std::uint32_t x, std::uint32_t y) { return triangles[x].vertex < triangles[y].vertex; });
+    for (const std::uint32_t i : order_) {
+        auto& triangle = triangles[i];
+        const auto [a, b, c] = triangle.vertex;
+        const auto [bc, ac, ab] = triangle.edge;
+        triangle.born = bear(3, std::array{vertices[a].step, vertices[b].step, vertices[c].step},
+                             std::array{edges[bc].born, edges[ac].born, edges[ab].born, triangle.base},
+                             triangle.first_witness, tables);
+    }
 }
 
-// For every candidate the first entry whose witness nu_k-witnesses it, per track.
-void NuComplex::mark_witnessed(const LandmarkLists& lists, std::span<const ListEntry> entries, bool add_missing) {
-    std::vector<Step> others;
-    for (std::uint32_t place = 0; place < entries.size(); ++place) {
-        const auto list = lists.list(entries[place].witness);
-        for (int track = 0; track < track_count(); ++track) {
+// Without D(L): every simplex with p that an entry's witness nu_k-witnesses, with the first such entry, per track.
+void NuComplex::fill_tables(const LandmarkLists& lists, std::span<const ListEntry> entries) {
+    for (LinkTable& table : candidates_) table.clear();
+    for (std::uint32_t at = 0; at < entries.size(); ++at) {
+        const auto list = lists.list(entries[at].witness);
+        for (std::size_t track = 0; track < nu_.size(); ++track) {
             for (int k = 1; k <= max_dimension(); ++k) {
-                const std::uint32_t count = nu(track, k);
-                if (entries[place].rank >= count) continue;
-                others.clear();
+                const std::uint32_t count = nu(static_cast<int>(track), k);
+                if (entries[at].rank >= count) continue;
+                places_.clear();
                 for (std::uint32_t rank = 0; rank < count && list[rank] != 0; ++rank) {
-                    const bool candidate =
-                        rank != entries[place].rank && (add_missing || links_[0].find(&list[rank]) != kNoSimplex);
-                    if (candidate) others.push_back(list[rank]);
+                    if (rank != entries[at].rank) places_.push_back(list[rank]);
                 }
-                sort_few(others.data(), others.size());
-                LinkTable& link = links_[static_cast<std::size_t>(k - 1)];
-                for_each_subset(others, static_cast<std::size_t>(k), [&](const Step* tuple) {
-                    const std::uint32_t index = add_missing ? link.insert(tuple) : link.find(tuple);
-                    if (index == kNoSimplex) return;
-                    std::uint32_t& first = link[index].first_witness[static_cast<std::size_t>(track)];
-                    if (first == kNoSimplex) first = place;
+                sort_few(places_.data(), places_.size());
+                LinkTable& table = candidates_[static_cast<std::size_t>(k - 1)];
+                for_each_subset(places_, static_cast<std::size_t>(k), [&](const Step* tuple) {
+                    std::uint32_t& first = table[table.insert(tuple)].first_witness[track];
+                    if (first == kNone) first = at;
                 });
             }
         }
     }
 }
 
-// Appends the witnessed candidates of dimension k whose facets live, in the order of their tuples.
-void NuComplex::bear(Step step, int k, std::vector<SimplexTable>& tables) {
-    LinkTable& link = links_[static_cast<std::size_t>(k - 1)];
-    SimplexTable& table = tables[static_cast<std::size_t>(k - 1)];
-    Book& book = books_[static_cast<std::size_t>(k - 1)];
+void NuComplex::bear_tables(int k, Tables& tables) {
+    LinkTable& table = candidates_[static_cast<std::size_t>(k - 1)];
     const auto width = static_cast<std::size_t>(k);
-
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t index = 0; index < link.size(); ++index) {
-        bool witnessed = false;
-        for (int track = 0; track < track_count(); ++track) {
-            witnessed = witnessed || link[index].first_witness[static_cast<std::size_t>(track)] != kNoSimplex;
-        }
-        if (witnessed) order.push_back(index);
-    }
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const auto x = link.tuple(a);
-        const auto y = link.tuple(b);
+    order_.clear();
+    for (std::uint32_t index = 0; index < table.size(); ++index) order_.push_back(index);
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const auto x = table.tuple(a);
+        const auto y = table.tuple(b);
         return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
     });
-
-    for (const std::uint32_t index : order) {
-        const auto others = link.tuple(index);
+    for (const std::uint32_t index : order_) {
+        const auto others = table.tuple(index);
         std::array<SimplexIndex, 8> facets{};
-        bool facets_known = true;
         if (k >= 2) {
-            facets[width] = tables[width - 2].find(others);
-            facets_known = facets[width] != kNoSimplex;
-            for (std::size_t j = 0; facets_known && j < width; ++j) {
+            facets[width] = tables[k - 1].find(others);
+            for (std::size_t j = 0; j < width; ++j) {
                 std::array<Step, 8> rest{};
                 std::copy(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(j), rest.begin());
                 std::copy(others.begin() + static_cast<std::ptrdiff_t>(j) + 1, others.end(),
                           rest.begin() + static_cast<std::ptrdiff_t>(j));
-                const std::uint32_t candidate = links_[width - 2].find(rest.data());
-                facets[j] = candidate == kNoSimplex ? kNoSimplex : links_[width - 2][candidate].simplex;
-                facets_known = facets[j] != kNoSimplex;
+                const LinkTable& below = candidates_[width - 2];
+                const std::uint32_t candidate = below.find(rest.data());
+                facets[j] = candidate == kNoSimplex ? kNoSimplex : below[candidate].simplex;
             }
         }
-        if (!facets_known) continue;
+        table[index].simplex = bear(k, others, {facets.data(), k >= 2 ? width + 1 : 0}, table[index].first_witness,
+                                    tables);
+    }
+}
 
-        std::array<bool, kMaxTracks> lives{};
-        for (std::size_t track = 0; track < nu_.size(); ++track) {
-            lives[track] = link[index].first_witness[track] != kNoSimplex;
-            for (std::size_t j = 0; lives[track] && k >= 2 && j <= width; ++j) {
-                lives[track] = tables[width - 2].death[track][facets[j]] == kNever;
-            }
-        }
-        if (!lives[0] && !lives[1]) continue;
-
-        const SimplexIndex simplex = table.size();
-        link[index].simplex = simplex;
-        table.vertices.insert(table.vertices.end(), others.begin(), others.end());
-        table.vertices.push_back(step);
-        book.first_coface.push_back(kEnd);
-        if (k >= 2) {
-            Book& facet_book = books_[width - 2];
-            for (std::size_t j = 0; j <= width; ++j) {
-                const auto encoded = static_cast<std::uint32_t>(book.facets.size());
-                book.facets.push_back(facets[j]);
-                book.next_coface.push_back(facet_book.first_coface[facets[j]]);
-                facet_book.first_coface[facets[j]] = encoded;
-            }
-        }
-        for (std::size_t track = 0; track < nu_.size(); ++track) {
-            table.death[track].push_back(lives[track] ? kNever : step);
-            book.watch[track].cursor.push_back(0);
-            book.watch[track].next.push_back(kEnd);
-            if (lives[track]) watch(static_cast<int>(track), k, simplex, step, link[index].first_witness[track]);
+// Records the simplex of p and `others` if it lives in a track: witnessed there, with all its facets. Its index, or
+// kNoSimplex.
+SimplexIndex NuComplex::bear(int k, std::span<const Step> others, std::span<const SimplexIndex> facets,
+                             const FirstWitness& first_witness, Tables& tables) {
+    std::array<bool, kMaxTracks> lives{};
+    for (std::size_t track = 0; track < nu_.size(); ++track) {
+        lives[track] = first_witness[track] != kNone;
+        for (const SimplexIndex facet : facets) {
+            lives[track] = lives[track] && facet != kNoSimplex && tables[k - 1].death[track][facet] == kNever;
         }
     }
-    table.first_of_step.resize(step + 2, 0);
-    table.first_of_step[step + 1] = table.size();
+    if (!lives[0] && !lives[1]) return kNoSimplex;
+
+    SimplexTable& table = tables[k];
+    Book& book = books_[static_cast<std::size_t>(k - 1)];
+    const SimplexIndex simplex = table.size();
+    table.vertices.insert(table.vertices.end(), others.begin(), others.end());
+    table.vertices.push_back(tables.step);
+    book.first_coface.push_back(kEnd);
+    for (const SimplexIndex facet : facets) {
+        std::uint32_t& first = books_[static_cast<std::size_t>(k - 2)].first_coface[facet];
+        const auto encoded = static_cast<std::uint32_t>(book.facets.size());
+        book.facets.push_back(facet);
+        book.next_coface.push_back(first);
+        first = encoded;
+    }
+    watches_.add(k);
+    for (std::size_t track = 0; track < nu_.size(); ++track) {
+        table.death[track].push_back(lives[track] ? kNever : tables.step);
+        if (lives[track]) watches_.watch(static_cast<int>(track), k, simplex, tables.step, first_witness[track]);
+    }
+    return simplex;
 }
 
-void NuComplex::watch(int track, int k, SimplexIndex simplex, Step birth, std::uint32_t cursor) {
-    const WitnessId witness = entered_[first_entered_[birth] + cursor];
-    Watch& book = books_[static_cast<std::size_t>(k - 1)].watch[static_cast<std::size_t>(track)];
-    std::uint32_t& first = first_watched_[static_cast<std::size_t>(track)][witness];
-    book.cursor[simplex] = cursor;
-    book.next[simplex] = first;
-    first = encode(k, simplex);
-}
-
-void NuComplex::kill(Step step, int track, int k, SimplexIndex simplex, std::vector<SimplexTable>& tables) {
-    Step& death = tables[static_cast<std::size_t>(k - 1)].death[static_cast<std::size_t>(track)][simplex];
+void NuComplex::kill(int track, int k, SimplexIndex simplex, Tables& tables) {
+    Step& death = tables[k].death[static_cast<std::size_t>(track)][simplex];
     if (death != kNever) return;
-    death = step;
+    death = tables.step;
+    watches_.forget(track, k, simplex);
     deaths_.push_back({static_cast<std::uint8_t>(track), static_cast<std::uint8_t>(k), simplex});
     if (k == max_dimension()) return;
     const Book& cofaces = books_[static_cast<std::size_t>(k)];
     const auto links_per_simplex = static_cast<std::uint32_t>(k + 2);
     std::uint32_t link = books_[static_cast<std::size_t>(k - 1)].first_coface[simplex];
-    for (; link != kEnd; link = cofaces.next_coface[link]) kill(step, track, k + 1, link / links_per_simplex, tables);
+    for (; link != kEnd; link = cofaces.next_coface[link]) kill(track, k + 1, link / links_per_simplex, tables);
 }
 
 std::uint64_t NuComplex::memory() const {
-    std::uint64_t words = 2 * first_entered_.capacity() + entered_.capacity();
-    for (const auto& heads : first_watched_) words += heads.capacity();
+    std::uint64_t words = 0;
     for (const Book& book : books_) {
         words += book.facets.capacity() + book.first_coface.capacity() + book.next_coface.capacity();
-        for (const Watch& one : book.watch) words += one.cursor.capacity() + one.next.capacity();
     }
-    return words * sizeof(std::uint32_t);
+    return words * sizeof(std::uint32_t) + watches_.memory() + faces_.memory();
 }
 
 }  // namespace plateau

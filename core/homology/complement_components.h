@@ -17,7 +17,7 @@ class ComplementComponents {
 public:
     explicit ComplementComponents(int track) : track_(static_cast<std::size_t>(track)) {}
 
-    /// Follows one insertion into a D(L) of dimension 3, after complex and faces have followed it. `deaths` of this
+    /// Follows one insertion into a D(L) of dimension 3, after the complex has followed it. `deaths` of this
     /// step.
     void update(const std::vector<SimplexTable>& tables, std::span<const Death> deaths, const Delaunay& delaunay,
                 const DelaunayChange& change, const DelaunayFaces& faces);

@@ -20,7 +20,7 @@ class EmbeddedBetti {
 public:
     explicit EmbeddedBetti(int track) : track_(track), skeleton_(track), complement_(track) {}
 
-    /// Follows one insertion, after complex and faces have followed it. `deaths` of this step.
+    /// Follows one insertion, after the complex has followed it. `deaths` of this step.
     void update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
                 const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces);
 

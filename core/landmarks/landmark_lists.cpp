@@ -141,13 +141,14 @@ void LandmarkLists::visit_leaf(Node& node, const Point& p, std::uint32_t step) {
         if (distance < distances[kappa_ - 1]) {
             std::uint32_t* steps = steps_.data() + static_cast<std::size_t>(w) * kappa_;
             std::uint32_t rank = kappa_ - 1;
+            const std::uint32_t dropped = steps[rank];
             for (; rank > 0 && distances[rank - 1] > distance; --rank) {
                 distances[rank] = distances[rank - 1];
                 steps[rank] = steps[rank - 1];
             }
             distances[rank] = distance;
             steps[rank] = step;
-            entries_.push_back({w, rank});
+            entries_.push_back({w, rank, dropped});
         }
         const bool farther = distances[0] > node.largest_first ||
                              (distances[0] == node.largest_first && input_index_[w] < node.farthest);

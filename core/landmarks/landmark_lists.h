@@ -16,7 +16,8 @@ using WitnessId = std::uint32_t;
 /// A landmark entered a witness's list.
 struct ListEntry {
     WitnessId witness = 0;
-    std::uint32_t rank = 0;  ///< 0-based place in the list
+    std::uint32_t rank = 0;     ///< 0-based place in the list
+    std::uint32_t dropped = 0;  ///< step of the landmark that left the list for it; 0: none did
 };
 
 /// The landmark list of every witness: its min(i, kappa) nearest landmarks by (distance, step), and the farthest

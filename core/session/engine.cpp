@@ -54,19 +54,20 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
     timeline_.epsilon_squared.push_back(lists_.farthest_distance_squared());
     timeline_.delaunay_dimension.push_back(static_cast<std::uint8_t>(change == nullptr ? 0 : change->dimension));
 
-    complex_.insert(step, lists_, entries, delaunay_ ? &*delaunay_ : nullptr, change, timeline_.simplices);
-    record_deaths();
-    if (change != nullptr) {
-        faces_.update(step, *delaunay_, *change, complex_, timeline_.simplices);
+    if (change == nullptr) {
+        complex_.insert(step, lists_, entries, timeline_.simplices);
+    } else {
+        complex_.insert(step, lists_, entries, *delaunay_, *change, timeline_.simplices);
     }
+    record_deaths();
     if (surface_) {
         const LandmarkPoints points{cloud_, &timeline_.landmarks};
-        surface_->update(step, *delaunay_, *change, complex_, faces_, complex_.deaths(), points, timeline_);
+        surface_->update(step, *delaunay_, *change, complex_, complex_.deaths(), points, timeline_);
         timeline_.first_row_of_step.push_back(static_cast<std::uint32_t>(timeline_.surface.size()));
         timeline_.first_ended_row_of_step.push_back(timeline_.ended_rows.size());
         surface_betti_->update(*surface_, static_cast<std::uint32_t>(timeline_.surface.size()));
     }
-    if (embedded_) embedded_->update(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, faces_);
+    if (embedded_) embedded_->update(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, complex_.faces());
     record_numbers(step);
     timeline_.step_count = step;
     return std::nullopt;
@@ -132,7 +133,7 @@ void Engine::extend_hash(Step step) {
 }
 
 std::uint64_t Engine::memory() const {
-    constexpr std::uint64_t kBytesPerCell = 84 + sizeof(DelaunayCell) + 24 + 20;  // CGAL's, ours, faces, complement
+    constexpr std::uint64_t kBytesPerCell = 84 + sizeof(DelaunayCell);  // CGAL's and ours
     std::uint64_t bytes = static_cast<std::uint64_t>(cloud_->size()) * (40 + 12 * lists_.kappa());
     if (delaunay_) bytes += delaunay_->cell_capacity() * kBytesPerCell;
     bytes += complex_.memory();

@@ -8,7 +8,6 @@
 #include "base/hash.h"
 #include "base/result.h"
 #include "cloud/point_cloud.h"
-#include "complex/delaunay_faces.h"
 #include "complex/nu_complex.h"
 #include "delaunay/delaunay.h"
 #include "homology/embedded_betti.h"
@@ -59,7 +58,6 @@ private:
     LandmarkLists lists_;
     std::optional<Delaunay> delaunay_;
     NuComplex complex_;
-    DelaunayFaces faces_;
     std::optional<SurfaceTracker> surface_;
     std::optional<EmbeddedBetti> embedded_;
     std::optional<SurfaceBetti> surface_betti_;

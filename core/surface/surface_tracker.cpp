@@ -29,8 +29,7 @@ void sort_unique(std::vector<std::uint32_t>& values) {
 }  // namespace
 
 void SurfaceTracker::update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const NuComplex& complex,
-                            const DelaunayFaces& faces, std::span<const Death> deaths, const LandmarkPoints& points,
-                            Timeline& timeline) {
+                            std::span<const Death> deaths, const LandmarkPoints& points, Timeline& timeline) {
     ended_.clear();
     glue_changes_.clear();
     changed_.clear();
@@ -39,6 +38,7 @@ void SurfaceTracker::update(Step step, const Delaunay& delaunay, const DelaunayC
     if (change.dimension < 3) return;
     const bool all = !started_;
     started_ = true;
+    const DelaunayFaces& faces = complex.faces();
     const Context context{step, delaunay, complex, faces, points, timeline};
 
     peeling_.update(step, timeline.simplices, complex, deaths, points, all);

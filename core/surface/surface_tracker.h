@@ -31,9 +31,9 @@ public:
     /// `rho`: largest radius-edge ratio of a triangle; 0 = any.
     explicit SurfaceTracker(double rho) : peeling_(rho) {}
 
-    /// Follows one insertion, after complex and faces have followed it; appends to the timeline's surface rows.
+    /// Follows one insertion, after the complex has followed it; appends to the timeline's surface rows.
     void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const NuComplex& complex,
-                const DelaunayFaces& faces, std::span<const Death> deaths, const LandmarkPoints& points,
+                std::span<const Death> deaths, const LandmarkPoints& points,
                 Timeline& timeline);
 
     /// Rows that the last step appended are those from this index on.

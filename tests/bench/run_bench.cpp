@@ -75,7 +75,7 @@ Order run_rooms(const PointCloud& cloud, int depth) {
         const DelaunayChange* change = nullptr;
         if (depth >= 2) change = delaunay.insert(step, cloud.point(next), order.hints.back()).value();
         const auto entries = lists.insert(next, step);
-        if (depth >= 3) complex.insert(step, lists, entries, &delaunay, change, tables);
+        if (depth >= 3) complex.insert(step, lists, entries, delaunay, *change, tables);
         if (lists.farthest_distance_squared() == 0) break;
     }
     return order;
