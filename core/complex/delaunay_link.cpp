@@ -99,6 +99,10 @@ std::uint32_t DelaunayLink::add_edge(std::uint32_t a, std::uint32_t b) {
     while (slots_[slot].step == step_) slot = (slot + 1) & mask_;
     slots_[slot] = {step_, place};
     edges_.push_back({a, b});
+    for (std::size_t track = 0; track < kMaxTracks; ++track) {
+        vertices_[a].waiting[track] |= std::uint64_t{1} << (b % 64);
+        vertices_[b].waiting[track] |= std::uint64_t{1} << (a % 64);
+    }
     return place;
 }
 

@@ -24,6 +24,8 @@ public:
         Step step = 0;
         FirstWitness first_witness{kNone, kNone};
         SimplexIndex born = kNoSimplex;  ///< the edge with p, once it is recorded
+        /// Per track: bit b % 64 is set if an edge to place b may still lack a witness.
+        std::array<std::uint64_t, kMaxTracks> waiting{};
     };
     struct Edge {
         std::uint32_t a = 0, b = 0;      ///< places of its vertices, a < b
@@ -63,6 +65,20 @@ public:
             const std::uint32_t place = slots_[slot].step == step_ ? slots_[slot].place : kNone;
             if (place == kNone || (edges_[place].a == a && edges_[place].b == b)) return place;
         }
+    }
+    /// Whether there may be an edge between two vertices, given by place, without a witness in the track: spares most
+    /// look-ups. Exact in a link of up to 64 vertices.
+    bool may_wait(std::size_t track, std::uint32_t a, std::uint32_t b) const {
+        return (vertices_[a].waiting[track] >> (b % 64) & 1u) != 0;
+    }
+    /// The entry at this place witnesses p and the edge.
+    void mark_edge(std::size_t track, std::uint32_t edge, std::uint32_t entry) {
+        Edge& marked = edges_[edge];
+        if (marked.first_witness[track] != kNone) return;
+        marked.first_witness[track] = entry;
+        if (vertices_.size() > 64) return;
+        vertices_[marked.a].waiting[track] &= ~(std::uint64_t{1} << marked.b);
+        vertices_[marked.b].waiting[track] &= ~(std::uint64_t{1} << marked.a);
     }
     /// Place of the triangle of an edge with this third vertex, or kNone.
     std::uint32_t triangle(std::uint32_t edge, std::uint32_t third) const;

@@ -144,37 +144,40 @@ void NuComplex::lose_in_delaunay(const Delaunay& delaunay, const DelaunayChange&
 // For every simplex of the link the first entry whose witness nu_k-witnesses it together with p, per track.
 void NuComplex::mark_link(const LandmarkLists& lists, std::span<const ListEntry> entries) {
     auto& vertices = link_.vertices();
-    auto& edges = link_.edges();
     auto& triangles = link_.triangles();
     for (std::uint32_t at = 0; at < entries.size(); ++at) {
-        const auto list = lists.list(entries[at].witness);
-        // The list by place in the link; p itself is not in it.
-        places_.clear();
-        for (const Step landmark : list) places_.push_back(link_.vertex(landmark));
-        const auto mark = [&](std::size_t track, FirstWitness& first_witness) {
-            if (first_witness[track] == kNone) first_witness[track] = at;
-        };
+        places_.clear();  // of the list in the link; p itself is not in it
+        for (const Step landmark : lists.list(entries[at].witness)) places_.push_back(link_.vertex(landmark));
         for (std::size_t track = 0; track < nu_.size(); ++track) {
             const auto reach = [&](int k) {
                 const std::uint32_t count = nu(static_cast<int>(track), k);
                 return entries[at].rank < count ? count : 0;
             };
             for (std::uint32_t i = 0; i < reach(1); ++i) {
-                if (places_[i] != kNone) mark(track, vertices[places_[i]].first_witness);
+                if (places_[i] == kNone) continue;
+                std::uint32_t& first = vertices[places_[i]].first_witness[track];
+                if (first == kNone) first = at;
             }
-            const std::uint32_t for_edges = edges.empty() ? 0 : reach(2);
-            const std::uint32_t for_triangles = triangles.empty() ? 0 : reach(3);
-            const std::uint32_t count = std::max(for_edges, for_triangles);
-            for (std::uint32_t j = 1; j < count; ++j) {
+            const std::uint32_t for_edges = reach(2);
+            for (std::uint32_t j = 1; j < for_edges; ++j) {
+                if (places_[j] == kNone) continue;
                 for (std::uint32_t i = 0; i < j; ++i) {
+                    if (places_[i] == kNone || !link_.may_wait(track, places_[j], places_[i])) continue;
+                    const std::uint32_t edge = link_.edge(places_[i], places_[j]);
+                    if (edge != kNone) link_.mark_edge(track, edge, at);
+                }
+            }
+            const std::uint32_t for_triangles = triangles.empty() ? 0 : reach(3);
+            for (std::uint32_t j = 2; j < for_triangles; ++j) {
+                for (std::uint32_t i = 1; i < j; ++i) {
                     if (places_[i] == kNone || places_[j] == kNone) continue;
                     const std::uint32_t edge = link_.edge(places_[i], places_[j]);
                     if (edge == kNone) continue;
-                    if (j < for_edges) mark(track, edges[edge].first_witness);
-                    for (std::uint32_t h = 0; j < for_triangles && h < i; ++h) {
-                        if (places_[h] == kNone) continue;
-                        const std::uint32_t triangle = link_.triangle(edge, places_[h]);
-                        if (triangle != kNone) mark(track, triangles[triangle].first_witness);
+                    for (std::uint32_t h = 0; h < i; ++h) {
+                        const std::uint32_t triangle = places_[h] == kNone ? kNone : link_.triangle(edge, places_[h]);
+                        if (triangle == kNone) continue;
+                        std::uint32_t& first = triangles[triangle].first_witness[track];
+                        if (first == kNone) first = at;
                     }
                 }
             }

@@ -2,9 +2,9 @@
 
 namespace plateau {
 
-void ComplementComponents::update(const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
+void ComplementComponents::update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
                                   const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces) {
-    const Context context{tables, delaunay, change, faces};
+    const Context context{step, tables, delaunay, change, faces};
     flags_.resize(delaunay.cell_capacity(), 0);
     components_.resize(delaunay.cell_capacity() + std::size_t{1});
     if (started_) {
@@ -28,7 +28,9 @@ void ComplementComponents::remove_died(const Context& context) {
         if (solid(id)) continue;
         if (node(id) != kOutside) components_.remove_node(node(id));
         for (std::size_t i = 0; i < 4; ++i) {
-            if (open(id, i)) components_.remove_edge(node(id), node(context.delaunay.cell(id).neighbor[i]));
+            const CellId neighbor = context.delaunay.cell(id).neighbor[i];
+            const bool seen = neighbor < id && !context.delaunay.cell(neighbor).alive;  // from its other side
+            if (open(id, i) && !seen) components_.remove_edge(node(id), node(neighbor));
         }
     }
 }
@@ -76,7 +78,11 @@ void ComplementComponents::add_born(const Context& context) {
     for (const CellId id : context.change.born) {
         if (solid(id)) continue;
         for (std::size_t i = 0; i < 4; ++i) {
-            if (open(id, i)) components_.add_edge(node(id), node(context.delaunay.cell(id).neighbor[i]));
+            const DelaunayCell& cell = context.delaunay.cell(id);
+            const CellId neighbor = cell.neighbor[i];
+            const bool is_new = cell.vertex[i] != context.step || context.change.dimension_rose;
+            const bool seen = neighbor < id && is_new;  // from its other side
+            if (open(id, i) && !seen) components_.add_edge(node(id), node(neighbor));
         }
     }
 }

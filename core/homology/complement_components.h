@@ -19,7 +19,7 @@ public:
 
     /// Follows one insertion into a D(L) of dimension 3, after the complex has followed it. `deaths` of this
     /// step.
-    void update(const std::vector<SimplexTable>& tables, std::span<const Death> deaths, const Delaunay& delaunay,
+    void update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths, const Delaunay& delaunay,
                 const DelaunayChange& change, const DelaunayFaces& faces);
 
     std::uint32_t count() const { return components_.count(); }
@@ -31,6 +31,7 @@ private:
     /// Bit i: facet i is kept.
     enum Flags : std::uint8_t { kSolid = 16, kInfinite = 32 };
     struct Context {
+        Step step;
         const std::vector<SimplexTable>& tables;
         const Delaunay& delaunay;
         const DelaunayChange& change;

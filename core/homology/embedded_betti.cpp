@@ -17,7 +17,7 @@ void EmbeddedBetti::update(Step step, const std::vector<SimplexTable>& tables, s
     }
     dimension_ = change.dimension;
     skeleton_.update(step, tables[0], deaths);
-    if (dimension_ == 3) complement_.update(tables, deaths, delaunay, change, faces);
+    if (dimension_ == 3) complement_.update(step, tables, deaths, delaunay, change, faces);
 }
 
 std::array<std::uint32_t, 3> EmbeddedBetti::numbers() const {
