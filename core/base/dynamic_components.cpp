@@ -16,12 +16,12 @@ std::uint32_t DynamicComponents::slot(Node node) {
     return state.slot;
 }
 
-std::uint32_t DynamicComponents::root(std::uint32_t Slot::* parent, std::uint32_t slot) {
+std::uint32_t DynamicComponents::root(std::uint32_t Slot::*parent, std::uint32_t slot) {
     while (slots_[slot].*parent != slot) slot = slots_[slot].*parent = slots_[slots_[slot].*parent].*parent;
     return slot;
 }
 
-void DynamicComponents::unite(std::uint32_t Slot::* parent, std::uint32_t a, std::uint32_t b) {
+void DynamicComponents::unite(std::uint32_t Slot::*parent, std::uint32_t a, std::uint32_t b) {
     slots_[root(parent, a)].*parent = root(parent, b);
 }
 

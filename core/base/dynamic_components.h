@@ -10,8 +10,9 @@
 
 namespace plateau {
 
-/// Connected components of a graph that changes step by step: a step names the nodes and edges that come and go, then
-/// settles. Neither kept nor copied here is the graph itself: a search asks for the neighbors that a node has now.
+/// Connected components of a graph that changes step by step: a step names the nodes and edges that come and go, each
+/// once, then settles. Neither kept nor copied here is the graph itself: a search asks for the neighbors that a node
+/// has now.
 ///
 /// What a step removes has mostly a stand-in in what it adds: all that was joined through removed edges is joined
 /// through added ones. Only where that fails may something have come apart, and a search decides.
@@ -73,8 +74,8 @@ private:
     };
 
     std::uint32_t slot(Node node);
-    std::uint32_t root(std::uint32_t Slot::* parent, std::uint32_t slot);
-    void unite(std::uint32_t Slot::* parent, std::uint32_t a, std::uint32_t b);
+    std::uint32_t root(std::uint32_t Slot::*parent, std::uint32_t slot);
+    void unite(std::uint32_t Slot::*parent, std::uint32_t a, std::uint32_t b);
     void label_added();
     void find_suspects();
 

@@ -43,8 +43,10 @@ void DelaunayFaces::update(Step step, const Delaunay& delaunay, const DelaunayCh
             if (i == apex || apex == 4) {
                 base = edge[other[0]][other[1]];
                 const std::uint32_t third = place[other[2]];
-                if (base != DelaunayLink::kNone && third != DelaunayLink::kNone) base = link.triangle(base, third);
-                else base = DelaunayLink::kNone;
+                if (base != DelaunayLink::kNone && third != DelaunayLink::kNone)
+                    base = link.triangle(base, third);
+                else
+                    base = DelaunayLink::kNone;
                 if (base != DelaunayLink::kNone) triangle = link.triangles()[base].base;
                 if (base != DelaunayLink::kNone && i == apex) faces.tetrahedron = link.triangles()[base].born;
             } else {

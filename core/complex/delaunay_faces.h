@@ -46,9 +46,9 @@ private:
         SimplexIndex tetrahedron = kNoSimplex;
     };
 
-    std::vector<Faces> faces_;   // by cell
-    std::vector<Facet> facet_;   // by triangle
-    std::vector<CellId> cell_;   // by tetrahedron
+    std::vector<Faces> faces_;  // by cell
+    std::vector<Facet> facet_;  // by triangle
+    std::vector<CellId> cell_;  // by tetrahedron
 };
 
 }  // namespace plateau

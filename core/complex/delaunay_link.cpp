@@ -7,8 +7,8 @@
 
 namespace plateau {
 
-void DelaunayLink::build(Step step, const Delaunay& delaunay, const DelaunayChange& change,
-                         const DelaunayFaces& faces, const std::vector<SimplexTable>& tables) {
+void DelaunayLink::build(Step step, const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces,
+                         const std::vector<SimplexTable>& tables) {
     step_ = step;
     vertices_.clear();
     edges_.clear();

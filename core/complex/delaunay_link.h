@@ -98,9 +98,9 @@ private:
     std::vector<Edge> edges_;
     std::vector<Triangle> triangles_;
     std::vector<Stamped> place_ = std::vector<Stamped>(1);  // by landmark
-    std::vector<Stamped> slots_;     // of edges, open addressing
+    std::vector<Stamped> slots_;                            // of edges, open addressing
     std::size_t mask_ = 0;
-    std::vector<Step> steps_;        // scratch of build
+    std::vector<Step> steps_;  // scratch of build
 };
 
 }  // namespace plateau

@@ -127,8 +127,8 @@ void NuComplex::lose_in_delaunay(const Delaunay& delaunay, const DelaunayChange&
             for (std::size_t j = i + 1; j < corners; ++j) {
                 const SimplexIndex edge = faces_.edge(id, i, j);
                 if (edge == kNoSimplex) continue;
-                const bool in_link = corners > 2 && link_.edge(link_.vertex(cell.vertex[i]),
-                                                               link_.vertex(cell.vertex[j])) != kNone;
+                const bool in_link =
+                    corners > 2 && link_.edge(link_.vertex(cell.vertex[i]), link_.vertex(cell.vertex[j])) != kNone;
                 if (!in_link) die(1, edge);
             }
         }
@@ -206,8 +206,8 @@ void NuComplex::bear_link(Tables& tables) {
         auto& edge = edges[i];
         const auto& a = vertices[edge.a];
         const auto& b = vertices[edge.b];
-        edge.born = bear(2, std::array{a.step, b.step}, std::array{b.born, a.born, edge.base}, edge.first_witness,
-                         tables);
+        edge.born =
+            bear(2, std::array{a.step, b.step}, std::array{b.born, a.born, edge.base}, edge.first_witness, tables);
     }
     order_.clear();
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -274,8 +274,8 @@ void NuComplex::bear_tables(int k, Tables& tables) {
                 facets[j] = candidate == kNoSimplex ? kNoSimplex : below[candidate].simplex;
             }
         }
-        table[index].simplex = bear(k, others, {facets.data(), k >= 2 ? width + 1 : 0}, table[index].first_witness,
-                                    tables);
+        table[index].simplex =
+            bear(k, others, {facets.data(), k >= 2 ? width + 1 : 0}, table[index].first_witness, tables);
     }
 }
 

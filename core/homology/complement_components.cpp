@@ -41,8 +41,7 @@ void ComplementComponents::open_deaths(const Context& context, std::span<const D
         if (death.track != track_ || death.dimension == 1) continue;
         if (death.dimension == 3) {
             const CellId cell = context.faces.cell(death.simplex);
-            const bool there =
-                context.delaunay.cell(cell).alive && context.faces.tetrahedron(cell) == death.simplex;
+            const bool there = context.delaunay.cell(cell).alive && context.faces.tetrahedron(cell) == death.simplex;
             if (!there) continue;
             flags_[cell] &= static_cast<std::uint8_t>(~kSolid);
             components_.add_node(node(cell));

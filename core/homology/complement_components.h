@@ -19,8 +19,8 @@ public:
 
     /// Follows one insertion into a D(L) of dimension 3, after the complex has followed it. `deaths` of this
     /// step.
-    void update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths, const Delaunay& delaunay,
-                const DelaunayChange& change, const DelaunayFaces& faces);
+    void update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
+                const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces);
 
     std::uint32_t count() const { return components_.count(); }
     std::uint64_t memory() const { return flags_.capacity() + components_.memory(); }

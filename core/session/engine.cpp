@@ -67,7 +67,8 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
         timeline_.first_ended_row_of_step.push_back(timeline_.ended_rows.size());
         surface_betti_->update(*surface_, static_cast<std::uint32_t>(timeline_.surface.size()));
     }
-    if (embedded_) embedded_->update(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, complex_.faces());
+    if (embedded_)
+        embedded_->update(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, complex_.faces());
     record_numbers(step);
     timeline_.step_count = step;
     return std::nullopt;

@@ -33,8 +33,7 @@ public:
 
     /// Follows one insertion, after the complex has followed it; appends to the timeline's surface rows.
     void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const NuComplex& complex,
-                std::span<const Death> deaths, const LandmarkPoints& points,
-                Timeline& timeline);
+                std::span<const Death> deaths, const LandmarkPoints& points, Timeline& timeline);
 
     /// Rows that the last step appended are those from this index on.
     std::span<const std::uint32_t> ended_rows() const { return ended_; }
