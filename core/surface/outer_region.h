@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/dynamic_components.h"
 #include "complex/delaunay_faces.h"
 #include "delaunay/delaunay.h"
 #include "surface/peeling.h"
@@ -11,25 +12,32 @@
 namespace plateau {
 
 /// The cells of D(L) that are reached from the infinite cells through facets not in K [GO 3.2.2 step 4], under
-/// insertion.
-///
-/// What opens is flooded. What may have been cut off is the rest of the outer region on both sides of the cut: searches
-/// run in turn from every cell next to the cut until they meet, reach an infinite cell, or exhaust a part that is
-/// enclosed now; so a step costs about the smaller part.
+/// insertion. What opens is flooded; what is cut off is found as components under change are.
 class OuterRegion {
 public:
-    /// Follows one insertion, after K has followed it.
-    void update(const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces,
+    /// Follows one insertion, after K has followed it. `all`: D(L) has just become spatial.
+    void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces,
                 const Peeling& peeling, bool all);
 
-    bool outer(CellId cell) const { return outer_[cell] != 0; }
+    bool outer(CellId cell) const { return cells_[cell].outer; }
     /// Cells that were there before the last step and changed sides.
     std::span<const CellId> flipped() const { return flipped_; }
-    std::uint64_t memory() const { return outer_.capacity() * (2 + 2 * sizeof(std::uint32_t)); }
+    std::uint64_t memory() const { return cells_.capacity() * sizeof(Cell) + components_.memory(); }
 
 private:
+    using Node = DynamicComponents::Node;
+    static constexpr Node kOutside = 0;  // the infinite cells; a finite cell is its id + 1
+    struct Cell {
+        Step born = 0;
+        Step touched = 0;  // last step at which it was told its side
+        bool infinite = false;
+        bool outer = false;
+        bool was_outer = false;  // before the step at which it was touched
+    };
     struct Context {
+        Step step;
         const Delaunay& delaunay;
+        const DelaunayChange& change;
         const DelaunayFaces& faces;
         const Peeling& peeling;
 
@@ -37,20 +45,23 @@ private:
             const SimplexIndex triangle = faces.triangle(cell, index);
             return triangle == kNoSimplex || !peeling.kept(triangle);
         }
+        bool was_open(CellId cell, int index) const {
+            const SimplexIndex triangle = faces.triangle(cell, index);
+            return triangle == kNoSimplex || !peeling.was_kept(triangle);
+        }
     };
 
-    void find_enclosed(const Context& context, const std::vector<CellId>& suspects);
-    void flood(const Context& context, std::vector<CellId>& stack);
-    void set_outer(CellId cell, bool outer);
+    Node node(CellId cell) const { return cells_[cell].infinite ? kOutside : cell + 1; }
+    void remove_died(const Context& context);
+    void add_born(const Context& context);
+    void change_facets(const Context& context);
+    void flood(const Context& context);
+    void set_outer(CellId cell, bool outer, Step step);
 
-    std::vector<std::uint8_t> outer_;        // by cell
-    std::vector<std::uint8_t> was_outer_;    // by cell, for those touched at this step
-    std::vector<std::uint32_t> touched_at_;  // by cell
-    std::vector<std::uint32_t> seen_at_;     // by cell: search number
-    std::vector<std::uint32_t> group_;       // by cell: group of the current search
-    std::vector<std::uint32_t> born_at_;
+    std::vector<Cell> cells_;  // by cell of D(L)
+    DynamicComponents components_{kOutside};
+    std::vector<CellId> stack_;  // outer cells that may open to others
     std::vector<CellId> touched_, flipped_;
-    std::uint32_t now_ = 0;
 };
 
 }  // namespace plateau

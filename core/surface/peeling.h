@@ -33,6 +33,11 @@ public:
     bool kept(SimplexIndex triangle) const {
         return triangle < round_.size() && present_[triangle] != 0 && round_[triangle] == kForever;
     }
+    /// Whether it was in K before the last step.
+    bool was_kept(SimplexIndex triangle) const {
+        const bool touched = triangle < round_.size() && touched_at_[triangle] == now_;
+        return touched ? was_kept_[triangle] != 0 : kept(triangle);
+    }
     /// Triangles that entered or left K at the last step, net.
     std::span<const SimplexIndex> entered() const { return entered_; }
     std::span<const SimplexIndex> left() const { return left_; }

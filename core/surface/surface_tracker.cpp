@@ -42,7 +42,7 @@ void SurfaceTracker::update(Step step, const Delaunay& delaunay, const DelaunayC
     const Context context{step, delaunay, complex, faces, points, timeline};
 
     peeling_.update(step, timeline.simplices, complex, deaths, points, all);
-    region_.update(delaunay, change, faces, peeling_, all);
+    region_.update(step, delaunay, change, faces, peeling_, all);
     row_of_.resize(timeline.table(2).size(), {kNoRow, kNoRow});
     for (const SimplexIndex triangle : dirty_triangles(context, change)) refresh_rows(triangle, context);
 
