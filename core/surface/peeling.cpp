@@ -12,6 +12,7 @@ void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const N
     now_ = step;
     touched_.clear();
     first_.resize(context.edges.size(), kEnd);
+    blunt_.resize(context.edges.size(), {kNoSimplex, kNoSimplex});
     const std::size_t count = context.triangles.size();
     round_.resize(count, kForever);
     present_.resize(count, 0);
@@ -51,7 +52,11 @@ bool Peeling::ratio_allowed(SimplexIndex triangle, const Context& context) const
 
 // Whether all triangles at the edge, of this round and later, fit in a wedge of at most pi/2. None or one do.
 bool Peeling::sharp(SimplexIndex edge, Round from, const Context& context) {
-    third_.clear();
+    const auto counts = [&](SimplexIndex triangle) { return present_[triangle] != 0 && round_[triangle] >= from; };
+    auto& blunt = blunt_[edge];
+    if (blunt[0] != kNoSimplex && counts(blunt[0]) && counts(blunt[1])) return false;
+
+    links_.clear();
     std::uint32_t* link = &first_[edge];
     while (*link != kEnd) {
         const SimplexIndex triangle = *link / 3;
@@ -59,15 +64,18 @@ bool Peeling::sharp(SimplexIndex edge, Round from, const Context& context) {
             *link = next_[*link];
             continue;
         }
-        if (round_[triangle] >= from) third_.push_back(context.triangles.tuple(triangle)[*link % 3]);
+        if (counts(triangle)) links_.push_back(*link);
         link = &next_[*link];
     }
     const auto ends = context.edges.tuple(edge);
     const auto u = context.points[ends[0]];
     const auto v = context.points[ends[1]];
-    for (std::size_t i = 0; i < third_.size(); ++i) {
+    const auto third = [&](std::uint32_t at) { return context.points[context.triangles.tuple(at / 3)[at % 3]]; };
+    for (std::size_t i = 0; i < links_.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            if (sign_of_wedge(u, v, context.points[third_[i]], context.points[third_[j]]) < 0) return false;
+            if (sign_of_wedge(u, v, third(links_[i]), third(links_[j])) >= 0) continue;
+            blunt = {links_[i] / 3, links_[j] / 3};
+            return false;
         }
     }
     return true;
@@ -181,7 +189,8 @@ void Peeling::report_changes() {
 }
 
 std::uint64_t Peeling::memory() const {
-    return round_.capacity() * (sizeof(Round) + 2 + sizeof(Step) + sizeof(std::uint32_t)) +
+    return blunt_.capacity() * sizeof(blunt_[0]) +
+           round_.capacity() * (sizeof(Round) + 2 + sizeof(Step) + sizeof(std::uint32_t)) +
            (first_.capacity() + next_.capacity()) * sizeof(std::uint32_t);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -91,7 +92,8 @@ private:
     std::vector<std::uint8_t> present_;  // by triangle: lives and is allowed
     std::vector<std::uint32_t> first_;   // by edge: list of links, link = 3 * triangle + corner off the edge
     std::vector<std::uint32_t> next_;    // by link
-    Round last_round_ = 0;               // the largest finite one
+    std::vector<std::array<SimplexIndex, 2>> blunt_;  // by edge: two triangles that last kept it from being sharp
+    Round last_round_ = 0;                            // the largest finite one
     std::vector<SimplexIndex> entered_, left_;
 
     std::vector<std::uint8_t> was_kept_;   // by triangle, for those touched at this step
@@ -100,7 +102,7 @@ private:
     std::vector<SimplexIndex> touched_;
     Step now_ = 0;
     std::uint32_t admission_ = 0;
-    std::vector<Step> third_;  // scratch of sharp()
+    std::vector<std::uint32_t> links_;  // scratch of sharp()
 };
 
 }  // namespace plateau
