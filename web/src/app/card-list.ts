@@ -33,14 +33,17 @@ export class CardList {
     this.buttons[focused]?.focus();
   }
 
-  /** Marks the card whose shape the step shows. */
-  mark({ step, family, betti }: StepSummary): void {
+  /** Marks the card whose shape the step shows, and returns it. */
+  mark({ step, family, betti }: StepSummary): PlateauCard | undefined {
+    let shown: PlateauCard | undefined;
     this.cards.forEach((card, i) => {
       const within = card.firstStep <= step && step <= card.lastStep;
       const here = within && card.family === family && card.betti.join() === betti.join();
       if (here) this.buttons[i]?.setAttribute('aria-current', 'step');
       else this.buttons[i]?.removeAttribute('aria-current');
+      if (here) shown ??= card;
     });
+    return shown;
   }
 
   private buttonFor(card: PlateauCard): HTMLButtonElement {
