@@ -10,6 +10,10 @@ export function explainTerms(root: HTMLElement): void {
   const termOf = (target: EventTarget | null): HTMLElement | undefined =>
     target instanceof Element ? (target.closest<HTMLElement>('[data-term]') ?? undefined) : undefined;
 
+  const heldByFocus = (): boolean =>
+    shownFor !== undefined &&
+    (shownFor.matches(':focus-visible') || !!shownFor.querySelector(':focus-visible'));
+
   const hide = (): void => {
     if (!shownFor) return;
     tip.hidden = true;
@@ -22,8 +26,19 @@ export function explainTerms(root: HTMLElement): void {
     shownFor = term;
     tip.replaceChildren(template.content.cloneNode(true));
     tip.hidden = false;
+    placeBeside(term);
+  };
+
+  const placeBeside = (term: HTMLElement): void => {
     const place = term.getBoundingClientRect();
     const { width, height } = tip.getBoundingClientRect();
+    const beside = (term.closest('.settings')?.getBoundingClientRect().left ?? 0) - width - 3 * GAP;
+    if (beside >= GAP) {
+      // The other settings stay in sight.
+      tip.style.left = `${beside}px`;
+      tip.style.top = `${Math.max(GAP, Math.min(place.top, window.innerHeight - height - GAP))}px`;
+      return;
+    }
     const left = Math.min(place.left, window.innerWidth - width - GAP);
     const above = place.top - height - GAP;
     tip.style.left = `${Math.max(GAP, left)}px`;
@@ -48,15 +63,25 @@ export function explainTerms(root: HTMLElement): void {
   root.addEventListener('pointerover', (event) => {
     const term = termOf(event.target);
     if (term) show(term);
-    else if (!tip.contains(event.target instanceof Node ? event.target : null)) hide();
+    else if (!heldByFocus()) hide();
   });
   root.addEventListener('focusin', (event) => {
     const term = termOf(event.target);
     if (term && event.target instanceof Element && event.target.matches(':focus-visible')) show(term);
     else hide();
   });
+  // A finger hovers nowhere; and what was hidden by Escape can be asked for again.
+  root.addEventListener('click', (event) => {
+    const term = event.target instanceof Element ? event.target.closest<HTMLElement>('button.term') : null;
+    if (term) show(term);
+  });
   root.addEventListener('focusout', hide);
-  root.addEventListener('scroll', hide, { capture: true });
+  const follow = (): void => {
+    // The focus itself may have scrolled its term into sight.
+    if (shownFor && heldByFocus()) placeBeside(shownFor);
+    else hide();
+  };
+  root.addEventListener('scroll', follow, { capture: true });
   document.addEventListener('keydown', (event) => {
     if (event.key === 'Escape') hide();
   });

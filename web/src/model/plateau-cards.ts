@@ -88,11 +88,19 @@ export function joinedPlateaus(plateaus: Plateaus, dimension: number): PlateauCa
   return done.map(({ card }) => card);
 }
 
-/** The cards to show: the longest first, those too short to mean anything left out. */
+/** Does any cloud look like this? */
+function fewLandmarks(card: PlateauCard): boolean {
+  return card.lastStep < FEW_LANDMARKS;
+}
+
+/** The cards to show: the longest first, those of few landmarks last, those too short to mean anything left out. */
 export function rankedCards(plateaus: Plateaus, dimension: number): PlateauCard[] {
   return joinedPlateaus(plateaus, dimension)
     .filter((card) => card.length >= SHORTEST)
-    .sort((a, b) => b.length - a.length || a.firstStep - b.firstStep)
+    .sort(
+      (a, b) =>
+        Number(fewLandmarks(a)) - Number(fewLandmarks(b)) || b.length - a.length || a.firstStep - b.firstStep,
+    )
     .slice(0, MOST_CARDS);
 }
 
@@ -113,8 +121,6 @@ export function cardWords(card: PlateauCard): CardWords {
     // Where it ends is where the next shape begins, as its band in the diagram.
     scale: scaleInWords(card.epsilonFirst, card.epsilonFirst * Math.exp(-card.length)),
     family: card.runs === 1 ? card.family : `${card.family} · ${card.runs} runs joined`,
-    ...(card.lastStep < FEW_LANDMARKS
-      ? { note: `at most ${card.lastStep} landmarks: too few to trust` }
-      : {}),
+    ...(fewLandmarks(card) ? { note: `at most ${card.lastStep} landmarks: too few to trust` } : {}),
   };
 }

@@ -60,7 +60,7 @@ export interface DiagramSize {
 /** Height of the strip of earlier bands, and its distance from what is below. */
 export const STRIP = { height: 16, gap: 8 };
 
-const MARGIN = { left: 40, right: 14, top: 12, bottom: 36 };
+const MARGIN = { left: 48, right: 16, top: 12, bottom: 36 };
 /** Equal Betti numbers are drawn side by side, this far apart. */
 const SIDE_BY_SIDE = 3;
 /** Room above the lines for the Betti numbers of the bands. */

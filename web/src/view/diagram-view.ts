@@ -114,7 +114,7 @@ function paintSeries(context: CanvasRenderingContext2D, layout: DiagramLayout, s
 
 /** No e-fold of scale gets less room, up to a width at which a diagram is readable in any case. */
 const LEAST_E_FOLD = 130;
-const READABLE_WIDTH = 640;
+const READABLE_WIDTH = 560;
 /** The playhead keeps this far from the end of what is seen. */
 const EDGE = 24;
 
