@@ -7,6 +7,8 @@ const UNSUPPORTED_DIMENSION = 7;
 /** What the command says to its own users; here the form asks. */
 const COMMAND_OPTION = / with --columns\b[^.]*\.?$/;
 
+const ADVICE = 'Nothing was changed here. Mend the file and open it again, or open another.';
+
 const FLAT_NOTES = {
   line: 'All points lie on one line, so there is nothing but pieces of it to see.',
   plane: 'All points lie in one plane, so there is no surface to find: what is seen are pieces and loops.',
@@ -15,6 +17,7 @@ const FLAT_NOTES = {
 /** What went wrong, what else the visitor should know, and the question which columns are coordinates. */
 export class Notices {
   private readonly alert = byId('alert', HTMLElement);
+  private readonly advice = byId('advice', HTMLElement);
   private readonly trouble = byId('trouble', HTMLElement);
   private readonly columns = byId('columns-form', HTMLFormElement);
   private readonly warning = byId('warning', HTMLElement);
@@ -26,6 +29,7 @@ export class Notices {
     const message = error instanceof Error ? error.message : String(error);
     const said = asksForColumns ? message.replace(COMMAND_OPTION, '.') : message;
     this.alert.textContent = about === '' ? said : `${about}: ${said}`;
+    setNotice(this.advice, about === '' || asksForColumns ? '' : ADVICE);
     this.trouble.hidden = message === '';
     this.columns.hidden = !asksForColumns;
   }

@@ -1,4 +1,4 @@
-import { readable } from '../model/numbers.ts';
+import { grouped, readable } from '../model/numbers.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
 import {
@@ -10,6 +10,7 @@ import {
   type AxisKind,
   type ScaleAxis,
 } from '../model/scale-axis.ts';
+import { bettiList } from '../model/words.ts';
 import type { ShownFamily } from '../worker/protocol.ts';
 
 /** The Betti diagram as places on paper: the canvas on the page and the SVG file draw the same. */
@@ -201,7 +202,7 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
       from: startOf(card.firstStep),
       to: startOf(card.lastStep + 1),
       family: card.family,
-      label: card.betti.join(', '),
+      label: bettiList(card.betti),
     }));
   return {
     width,
@@ -217,7 +218,7 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
         .replace(/(\.\d*?)0+$/, '$1')
         .replace(/\.$/, ''),
     })),
-    lines: thinned(bettiTicks(most).map((value) => ({ at: y(value), label: String(value) }))),
+    lines: thinned(bettiTicks(most).map((value) => ({ at: y(value), label: grouped(value) }))),
     series,
     computedTo: end,
   };
@@ -235,7 +236,7 @@ function earlierBands(
       from: Math.max(left, x(-Math.log(epsilonFirst))),
       to: Math.min(right, x(length - Math.log(epsilonFirst))),
       family,
-      label: betti.join(', '),
+      label: bettiList(betti),
     }))
     .filter(({ from, to }) => from < to);
 }
