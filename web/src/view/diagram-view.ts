@@ -135,6 +135,9 @@ export class DiagramView {
   private step = 0;
   private paintRequest = 0;
   private kind: AxisKind = 'log';
+  private dragged = false;
+  /** The finger that is down scrolls, or taps. */
+  private tapped = false;
 
   constructor(
     private readonly container: HTMLElement,
@@ -270,21 +273,28 @@ export class DiagramView {
     const { clientWidth, scrollWidth, scrollLeft } = this.scroller;
     if (!this.layout || scrollWidth <= clientWidth) return;
     const at = this.playheadAt - scrollLeft;
-    if (at < this.layout.left || at > clientWidth - EDGE) this.scroller.scrollLeft += at - clientWidth / 2;
+    const [first, last] = [this.layout.left, clientWidth - EDGE];
+    if (first <= at && at <= last) return;
+    // Under a hand the diagram moves no more than it must.
+    const place = !this.dragged ? clientWidth / 2 : at < first ? first : last;
+    this.scroller.scrollLeft += at - place;
   }
 
   /** A finger that neither scrolled nor dragged means the place. */
   private readonly tap = (event: MouseEvent): void => {
-    if (this.container.classList.contains('scrolls')) this.scrubTo(event.clientX);
+    if (this.tapped) this.scrubTo(event.clientX);
   };
 
   private readonly startDrag = (down: PointerEvent): void => {
     const scrolls = this.container.classList.contains('scrolls');
     const byFinger = scrolls && down.pointerType === 'touch' && down.target !== this.playhead;
+    this.tapped = byFinger;
     if (down.button !== 0 || byFinger) return;
+    this.dragged = true;
     this.container.setPointerCapture(down.pointerId);
     const move = (event: PointerEvent): void => this.scrubTo(event.clientX);
     const end = (): void => {
+      this.dragged = false;
       this.container.removeEventListener('pointermove', move);
       this.container.removeEventListener('pointerup', end);
       this.container.removeEventListener('pointercancel', end);
