@@ -31,6 +31,8 @@ export class Notices {
     this.alert.textContent = about === '' ? said : `${about}: ${said}`;
     setNotice(this.advice, about === '' || asksForColumns ? '' : ADVICE);
     this.trouble.hidden = message === '';
+    // A question is no fault.
+    this.trouble.classList.toggle('error', !asksForColumns);
     this.columns.hidden = !asksForColumns;
   }
 

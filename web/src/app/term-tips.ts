@@ -2,6 +2,12 @@ import { byId } from './dom.ts';
 
 const GAP = 8;
 
+/** Neither beyond the window nor behind what stays in its place while the page scrolls. */
+function inSight(element: Element): boolean {
+  const { left, top, width, height } = element.getBoundingClientRect();
+  return element.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+}
+
 /** Terms explain themselves on hover and focus: an element with data-term shows the template of that name. */
 export function explainTerms(root: HTMLElement): void {
   const tip = byId('tip', HTMLElement);
@@ -78,7 +84,7 @@ export function explainTerms(root: HTMLElement): void {
   root.addEventListener('focusout', hide);
   const follow = (): void => {
     // The focus itself may have scrolled its term into sight.
-    if (shownFor && heldByFocus()) placeBeside(shownFor);
+    if (shownFor && heldByFocus() && inSight(shownFor)) placeBeside(shownFor);
     else hide();
   };
   root.addEventListener('scroll', follow, { capture: true });
