@@ -2,7 +2,8 @@ import { describe, expect, test } from 'vitest';
 import { Afterglow } from '../../../web/src/model/afterglow.ts';
 import { flatness } from '../../../web/src/model/flatness.ts';
 import { History } from '../../../web/src/model/history.ts';
-import { rankedCards } from '../../../web/src/model/plateau-cards.ts';
+import { cardWords, rankedCards } from '../../../web/src/model/plateau-cards.ts';
+import { bettiInNumbers } from '../../../web/src/model/words.ts';
 import { plateausOf } from './fixtures.ts';
 
 describe('the afterglow', () => {
@@ -62,6 +63,21 @@ test('a history that went ahead comes back to what is shown', () => {
   expect([history.peek(-1), history.peek(1)]).toEqual(['b', undefined]);
   history.add('d');
   expect(history.peek(-1)).toBe('c');
+});
+
+test('dust comes last, and says that it is dust', () => {
+  const plateaus = plateausOf([
+    { steps: [900, 5000], epsilon: [1e-3, 1e-5], ratio: 100, family: 1, betti: [1700, 0, 0] },
+    { steps: [30, 50], epsilon: [1, 0.6], ratio: 1.8, family: 2, betti: [2, 2, 2] },
+  ]);
+  const [shape, dust] = rankedCards(plateaus, 3);
+  expect([shape?.firstStep, dust?.firstStep]).toEqual([30, 900]);
+  expect(shape && cardWords(shape).note).toBeUndefined();
+  expect(dust && cardWords(dust).note).toBe('at most 2 landmarks a piece: too few to trust');
+});
+
+test('lists of large numbers stay readable', () => {
+  expect(bettiInNumbers([11060, 0, 999])).toBe('β 11\u202f060, 0, 999');
 });
 
 test('cards of few landmarks come last, however long', () => {
