@@ -121,6 +121,8 @@ export function createMaterials(): SceneMaterials {
     uDiameter: landmarkDiameter,
     uSizeRange: landmarkSizes,
   });
+  // Dots of a few pixels are round only with smooth sides.
+  landmark.transparent = true;
   const all = [edge, surface, faces, witness, landmark];
 
   let theme = sceneTheme();

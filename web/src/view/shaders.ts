@@ -246,6 +246,7 @@ uniform vec2 uSizeRange;  // least and most, in pixels
 out float vHaze;
 out float vNew;
 flat out float vAge;
+flat out float vSize;
 
 void main() {
   if (cutOf(simplex.x) > 0.0) {
@@ -259,6 +260,7 @@ void main() {
   float size = uDiameter * projectionMatrix[1][1] * uViewport.y * 0.5 / max(-here.z, 0.02);
   vNew = simplex.y == uStep ? 1.0 : momentAt(simplex.y);
   gl_PointSize = clamp(size, uSizeRange.x, uSizeRange.y) * (1.0 + 0.6 * vNew);
+  vSize = gl_PointSize;
   vHaze = hazeAt(-here.z);
 }
 `;
@@ -269,13 +271,15 @@ uniform vec3 uBackground;
 in float vHaze;
 in float vNew;
 flat in float vAge;
+flat in float vSize;
 
 void main() {
   vec2 at = (gl_PointCoord - 0.5) * 2.0;
   float r = dot(at, at);
-  if (r > 1.0) discard;
-  vec3 n = vec3(at.x, -at.y, sqrt(1.0 - r));
+  float inside = (1.0 - sqrt(r)) * 0.5 * vSize + 0.5;  // pixels from the rim
+  if (inside <= 0.0) discard;
+  vec3 n = vec3(at.x, -at.y, sqrt(max(0.0, 1.0 - r)));
   float light = 0.72 + 0.34 * max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
-  outColor = vec4(mix(mix(tinted(uColor, vAge), uAccent, vNew) * light, uBackground, vHaze * 0.6), 1.0);
+  outColor = vec4(mix(mix(tinted(uColor, vAge), uAccent, vNew) * light, uBackground, vHaze * 0.6), min(inside, 1.0));
 }
 `;
