@@ -1,5 +1,5 @@
 import { BAD_FILES } from './bad-files.ts';
-import { drop, expect, fileOf, openPaused, root, shown, state, test, torusText } from './page.ts';
+import { drop, expect, fileOf, openPaused, root, state, test } from './page.ts';
 
 test('every bad file is answered by a sentence, and the film plays on', async ({ page }) => {
   await openPaused(page, 'torus', 400);
@@ -16,8 +16,8 @@ test('every bad file is answered by a sentence, and the film plays on', async ({
       await expect(alert).toContainText(`${name}: `);
       await expect(root(page)).not.toHaveAttribute('aria-busy');
       const sentence = ((await alert.textContent()) ?? '').slice(name.length + 2);
-      console.log(`${what} | ${sentence}`);
       expect(sentence).toMatch(told);
+      expect(sentence).toMatch(/^[A-Z0-9].+\.$/);
       expect(await root(page).evaluate((element) => ({ ...element.dataset }))).toMatchObject({
         source,
         hash,
