@@ -147,3 +147,29 @@ test.describe('a finger on the diagram', () => {
     );
   });
 });
+
+test('every term explains itself with a picture, by hover and by focus', async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await openPaused(page, 'torus', 60);
+  await page.getByText('Settings', { exact: true }).click();
+  const terms = page.locator('.term');
+  const tip = page.getByRole('tooltip');
+  const told = new Map<string, string>();
+  for (const term of await terms.all()) {
+    await page.mouse.move(0, 0);
+    await term.hover();
+    await expect(tip).toBeVisible();
+    await expect(tip.locator('svg')).toBeVisible();
+    expect(await tip.locator('svg path').count()).toBeGreaterThan(0);
+    told.set((await term.textContent()) ?? '', (await tip.locator('p').textContent()) ?? '');
+    await page.mouse.move(0, 0);
+    await expect(tip).toBeHidden();
+  }
+  expect([...told.keys()].sort()).toEqual(['1/ε', 'Landmarks', 'Witnesses', 'plateau', 'ν']);
+  expect(new Set(told.values()).size).toBe(5);
+  // The tip of a setting covers no other setting.
+  await page.getByRole('textbox', { name: 'ν' }).focus();
+  await expect(tip).toBeVisible();
+  const [box, form] = [await tip.boundingBox(), await page.locator('#settings').boundingBox()];
+  expect(box && form && box.x + box.width <= form.x).toBe(true);
+});
