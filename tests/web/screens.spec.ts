@@ -34,6 +34,16 @@ for (const [device, viewport] of Object.entries(SIZES)) {
       }
       await page.locator('.cards button[data-betti="1,1,0"]').first().click();
       await take('curve-plateau');
+      await page.getByText('Settings', { exact: true }).click();
+      await page.getByRole('textbox', { name: 'ν' }).fill('1,2,3,4');
+      await page.getByRole('textbox', { name: 'ν' }).press('Enter');
+      await expect(page.getByText('Before: ν 1, 6, 6, 4')).toBeVisible();
+      await expect(root(page)).toHaveAttribute('data-run-state', 'finished');
+      await take('compared');
+      await page.getByText('Settings', { exact: true }).click();
+      await drop(page, 'wide.csv', '1,0,0,9\n2,1,0,9\n3,1,1,8\n');
+      await expect(page.getByLabel('Which columns')).toBeVisible();
+      await take('question');
       await drop(page, 'ragged.xyz', '0 0 0\n1 1 1\n1 0\n');
       await expect(page.getByRole('alert')).toContainText(/line 3/i);
       await take('dropped-error');

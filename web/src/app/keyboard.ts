@@ -6,10 +6,18 @@ export interface KeyActions {
   toEnd(): void;
   undo(): void;
   redo(): void;
+  /** Turns the shape by parts of a full turn. */
+  turn(across: number, upright: number): void;
+  /** Nearer by a factor above 1. */
+  zoom(factor: number): void;
   /** What a single letter, digit or sign does; these can be switched off. */
   readonly single: Readonly<Record<string, () => void>>;
   singleKeysOn(): boolean;
 }
+
+/** By how much one key turns the shape, in full turns, and brings it nearer. */
+const TURN = 1 / 48;
+const ZOOM = 1.1;
 
 /** Does the element take the key itself? Text fields all, buttons space and enter. */
 function takes(target: EventTarget | null, key: string): boolean {
@@ -43,6 +51,15 @@ export function listenToKeys(actions: KeyActions): void {
     }
     if (takes(event.target, event.key)) return;
     const stride = event.shiftKey ? 10 : 1;
+    const onShape: Readonly<Record<string, () => void>> = {
+      arrowright: () => actions.turn(TURN, 0),
+      arrowleft: () => actions.turn(-TURN, 0),
+      arrowup: () => actions.turn(0, TURN),
+      arrowdown: () => actions.turn(0, -TURN),
+      '+': () => actions.zoom(ZOOM),
+      '=': () => actions.zoom(ZOOM),
+      '-': () => actions.zoom(1 / ZOOM),
+    };
     const byKey: Readonly<Record<string, () => void>> = {
       ' ': () => actions.togglePlay(),
       arrowright: () => actions.move(stride),
@@ -52,7 +69,9 @@ export function listenToKeys(actions: KeyActions): void {
       home: () => actions.toStart(),
       end: () => actions.toEnd(),
     };
-    const action = byKey[key] ?? (actions.singleKeysOn() ? actions.single[key] : undefined);
+    const atShape =
+      event.target instanceof HTMLElement && event.target.id === 'shape' ? onShape[key] : undefined;
+    const action = atShape ?? byKey[key] ?? (actions.singleKeysOn() ? actions.single[key] : undefined);
     if (!action) return;
     event.preventDefault();
     action();

@@ -114,6 +114,8 @@ listenToKeys({
   toEnd: () => page.goTo(Infinity),
   undo: () => page.travel(-1),
   redo: () => page.travel(1),
+  turn: (across, upright) => page.shape?.turn(across, upright),
+  zoom: (factor) => page.shape?.zoom(factor),
   singleKeysOn: () => help.singleKeys,
   single: {
     p: () => page.nextPlateau(),
@@ -126,7 +128,7 @@ listenToKeys({
     c: () => page.tools.toggleColor(),
     x: () => page.tools.toggleSection(),
     l: turnAxis,
-    f: () => page.fit(),
+    f: () => page.shape?.fit(),
     '?': () => help.open(),
   },
 });

@@ -1,16 +1,18 @@
 import { PlateauClient } from '../client/plateau-client.ts';
-import { PlateauError } from '../client/plateau-error.ts';
 import { History } from '../model/history.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
-import { Playback } from '../model/playback.ts';
 import type { RunRecord } from '../model/record.ts';
 import { grouped } from '../model/numbers.ts';
-import type { AxisKind } from '../model/scale-axis.ts';
+import { stepAt, type AxisKind } from '../model/scale-axis.ts';
 import { DiagramView } from '../view/diagram-view.ts';
 import { ShapeView } from '../view/shape-view.ts';
 import type { Failure, RunOptions } from '../worker/protocol.ts';
+import { Announcer } from './announcer.ts';
 import { CardList } from './card-list.ts';
 import { byId, setNotice } from './dom.ts';
+import { EarlierRun, sameShape, type ShownRun } from './earlier-run.ts';
+import { Film } from './film.ts';
+import { Notices } from './notices.ts';
 import { RunFeed } from './run-feed.ts';
 import { SettingsForm } from './settings-form.ts';
 import { cloudSource, sourceName, type SourceChoice } from './source.ts';
@@ -18,7 +20,6 @@ import { StatusLine } from './status-line.ts';
 import { Transport } from './transport.ts';
 import { ViewTools } from './view-tools.ts';
 
-const UNSUPPORTED_DIMENSION = 7;
 const DIAGRAM_EVERY_MS = 120;
 
 /** What happens to the playhead when a cloud is opened. */
@@ -28,7 +29,9 @@ type Arrival =
   /** The film waits at its beginning. */
   | 'wait'
   /** The playhead follows the computation and ends at the longest plateau: the answer. */
-  | 'answer';
+  | 'answer'
+  /** It follows the computation to the scale where it was: other settings are compared there. */
+  | 'return';
 
 /** What was opened and how: all that is needed to open it again. */
 interface Opening {
@@ -48,32 +51,44 @@ function shapeViewOrNone(onView: (unitsPerPixel: number) => void): ShapeView | u
 /** The page as a whole: one run that is shown, one playhead, and the way from one run to the next. */
 export class Page {
   private readonly root = byId('plateau', HTMLElement);
-  private readonly alert = byId('alert', HTMLElement);
+  private readonly notices = new Notices();
+  private readonly earlier = new EarlierRun();
   readonly client = new PlateauClient({ onDeath: (error) => this.showError(error) });
   readonly tools = new ViewTools();
-  private readonly shape = shapeViewOrNone(this.tools.showScale);
-  private readonly diagram = new DiagramView(byId('diagram', HTMLElement), (step) => this.goTo(step));
+  /** None without WebGL. */
+  readonly shape = shapeViewOrNone(this.tools.showScale);
+  private readonly diagram = new DiagramView(
+    byId('diagram', HTMLElement),
+    byId('timeline', HTMLElement),
+    (step) => this.goTo(step),
+  );
   private readonly status = new StatusLine(byId('readout', HTMLElement), byId('status', HTMLElement));
   private readonly transport = new Transport(this);
   private readonly cardList = new CardList(
     byId('cards', HTMLElement),
     byId('no-cards', HTMLElement),
-    (card) => this.goTo(card.middleStep),
+    (card) => {
+      this.goTo(card.middleStep);
+      this.shape?.frameAll();
+    },
   );
+  private readonly announcer = new Announcer(byId('spoken', HTMLElement));
   private readonly settings = new SettingsForm(() => this.openAgain());
-  private readonly playback = new Playback();
+  private readonly film = new Film(this);
   private readonly history = new History<Opening>();
+  /** Where in the history what is shown stands; the history itself may be ahead. */
+  private shownPlace = -1;
   private readonly sample = byId('sample', HTMLSelectElement);
 
   private opening: AbortController | undefined;
   private failedChoice: SourceChoice | undefined;
   private feed: RunFeed | undefined;
   private choice: SourceChoice | undefined;
+  private options: RunOptions = {};
   private cards: readonly PlateauCard[] = [];
+  private returnTo = 0;
   private step = 0;
   private arrival: Arrival = 'wait';
-  private playing = false;
-  private frameRequest = 0;
   private diagramDue = 0;
 
   constructor() {
@@ -102,19 +117,24 @@ export class Page {
     return this.feed.run.exportFile(format, step);
   }
 
-  /** Opens what was shown before (-1) or after (1), with its settings. */
+  /** Opens what was shown before (-1) or after (1), with its settings; also while such an opening is under way. */
   travel(by: -1 | 1): void {
     const opening = this.history.peek(by);
-    if (opening) void this.open(opening.choice, opening.options, 'answer', by);
+    if (!opening) return;
+    this.history.go(by);
+    this.markHistory();
+    void this.open(opening.choice, opening.options, this.arrivalAt(opening.choice), true);
   }
 
   /** Opens another source. What is shown stays until the new one can be watched, and for good if it fails. */
-  async open(choice: SourceChoice, options: RunOptions, arrival: Arrival, travel?: -1 | 1): Promise<void> {
+  async open(choice: SourceChoice, options: RunOptions, arrival: Arrival, travelling = false): Promise<void> {
     this.opening?.abort();
     const opening = (this.opening = new AbortController());
     const shown = this.feed;
-    this.setNotices('', false);
+    this.notices.clear();
     this.root.setAttribute('aria-busy', 'true');
+    // An opening by undo or redo that this one replaces led nowhere.
+    if (!travelling) this.history.returnTo(this.shownPlace);
     // The old run must not take slices from the new one; it goes on if the new one fails.
     shown?.run.pause().catch(() => undefined);
     try {
@@ -123,20 +143,21 @@ export class Page {
         run.close().catch(() => undefined);
         return;
       }
-      this.show(new RunFeed(run, this.listener()), choice, arrival);
+      this.show(new RunFeed(run, this.listener()), { choice, options }, arrival);
       this.settings.show(choice, options, run.opened);
-      if (travel) this.history.go(travel);
-      else this.history.add({ choice, options });
-      this.markHistory();
-      setNotice(byId('warning', HTMLElement), run.opened.warnings.join(' '));
+      if (!travelling) this.history.add({ choice, options });
+      this.shownPlace = this.history.place;
+      this.notices.opened(run.opened);
     } catch (error) {
       if (opening.signal.aborted) return;
       shown?.run.resume().catch(() => undefined);
+      this.history.returnTo(this.shownPlace);
       this.failedChoice = choice;
       this.markSample();
       this.showEmpty();
       this.showError(error, choice.kind === 'file' && choice.columns === undefined ? sourceName(choice) : '');
     }
+    this.markHistory();
     this.opening = undefined;
     this.root.removeAttribute('aria-busy');
   }
@@ -148,46 +169,35 @@ export class Page {
   }
 
   showError(error: unknown, about = ''): void {
-    const message = error instanceof Error ? error.message : String(error);
-    const asksForColumns = error instanceof PlateauError && error.code === UNSUPPORTED_DIMENSION;
-    this.setNotices(about === '' ? message : `${about}: ${message}`, asksForColumns && about !== '');
+    this.notices.error(error, about);
   }
 
   dismissError(): void {
-    this.setNotices('', false);
+    this.notices.clear();
   }
 
   togglePlay(): void {
-    if (this.playing) this.pause();
+    if (this.film.playing) this.film.pause();
     else this.play();
   }
 
   play(): void {
     const { record } = this;
-    if (!record || this.playing) return;
+    if (!record || this.film.playing) return;
     this.arrival = 'wait';
     if (this.step >= record.stepCount && record.state !== 'running') this.showStep(1);
-    this.playing = true;
-    this.playback.restart();
-    this.transport.setPlaying(true);
-    this.root.dataset['playing'] = 'true';
-    let before = performance.now();
-    const frame = (now: number): void => {
-      const elapsed = Math.min(250, Math.max(0, now - before));
-      before = now;
-      this.advanceFilm(elapsed);
-      if (this.playing) this.frameRequest = requestAnimationFrame(frame);
-    };
-    this.frameRequest = requestAnimationFrame(frame);
+    this.film.play();
   }
 
-  pause(): void {
-    if (!this.playing) return;
-    this.playing = false;
-    cancelAnimationFrame(this.frameRequest);
-    this.transport.setPlaying(false);
-    this.root.dataset['playing'] = 'false';
-    if (this.step > 0) this.showStep(this.step);
+  playingChanged(playing: boolean): void {
+    this.transport.setPlaying(playing);
+    this.root.dataset['playing'] = String(playing);
+    if (!playing && this.step > 0) this.showStep(this.step);
+  }
+
+  showFrame(step: number, recent: number): void {
+    if (step === this.step) this.shape?.glowSince(recent);
+    else this.showStep(step, recent);
   }
 
   move(steps: number): void {
@@ -199,7 +209,7 @@ export class Page {
     const { record } = this;
     if (!record || record.stepCount === 0) return;
     this.arrival = 'wait';
-    this.pause();
+    this.film.pause();
     this.showStep(Math.min(record.stepCount, Math.max(1, step)));
   }
 
@@ -211,7 +221,7 @@ export class Page {
   }
 
   set speed(factor: number) {
-    this.playback.speed = factor;
+    this.film.speed = factor;
   }
 
   get axisKind(): AxisKind {
@@ -220,11 +230,6 @@ export class Page {
 
   setAxis(kind: AxisKind): void {
     this.diagram.setAxis(kind);
-  }
-
-  /** Looks at the whole shape again. */
-  fit(): void {
-    this.shape?.fit();
   }
 
   /** Where nothing was opened yet, the way in is shown. */
@@ -243,23 +248,41 @@ export class Page {
     if (!this.choice) return;
     try {
       const { choice, options } = this.settings.asked(this.choice);
-      void this.open(choice, options, 'answer');
+      void this.open(choice, options, this.arrivalAt(choice));
     } catch (error) {
       this.showError(error);
     }
   }
 
-  private show(feed: RunFeed, choice: SourceChoice, arrival: Arrival): void {
-    this.pause();
+  /** The same shape with other settings is looked at where it was, another one at its answer. */
+  private arrivalAt(choice: SourceChoice): Arrival {
+    return this.choice && this.step > 0 && sameShape(this.choice, choice) ? 'return' : 'answer';
+  }
+
+  /** The run that is shown. */
+  private shownRun(): ShownRun | undefined {
+    const { choice, options, feed, cards } = this;
+    return choice && feed
+      ? { choice, options, opened: feed.run.opened, record: feed.record, cards }
+      : undefined;
+  }
+
+  private show(feed: RunFeed, { choice, options }: Opening, arrival: Arrival): void {
+    this.film.pause();
+    const before = this.shownRun();
+    this.returnTo = this.step > 0 ? (this.record?.epsilon(this.step) ?? 0) : 0;
     this.feed?.dispose();
     this.feed = feed;
     this.choice = choice;
+    this.options = options;
     this.cards = [];
     this.step = 0;
     this.arrival = arrival;
     this.shape?.setRecord(feed.record);
-    this.diagram.setRecord(feed.record);
+    const now: ShownRun = { choice, options, opened: feed.run.opened, record: feed.record, cards: [] };
+    this.diagram.setRecord(feed.record, this.earlier.show(before, now));
     this.cardList.show([], false);
+    this.announcer.restart();
     this.transport.setSteps(1);
     this.status.show(feed.record, undefined, false);
     byId('legend-voids', HTMLElement).hidden = feed.record.dimension < 3;
@@ -304,10 +327,16 @@ export class Page {
     }
     if (record.stepCount > 0) {
       if (this.arrival === 'answer') this.showStep(record.stepCount);
+      else if (this.arrival === 'return') this.showStep(this.stepReached(record));
       else if (this.step === 0) this.showStep(1);
       if (this.arrival === 'play') this.play();
     }
     this.showRunState(record);
+  }
+
+  /** The step of the scale that was looked at before, or the last one as long as that is not reached. */
+  private stepReached(record: RunRecord): number {
+    return this.returnTo > 0 ? stepAt(record, -Math.log(this.returnTo)) : record.stepCount;
   }
 
   private showCards(cards: readonly PlateauCard[]): void {
@@ -320,11 +349,11 @@ export class Page {
   }
 
   private ended(stopped: Failure | undefined): void {
-    const answer = this.cards[0];
-    const follows = this.arrival === 'answer';
+    const { following } = this;
+    const answer = this.arrival === 'answer' ? this.cards[0]?.middleStep : undefined;
     this.arrival = 'wait';
-    if (follows && this.step > 0) this.showStep(answer?.middleStep ?? this.step);
-    if (stopped) this.setNotices(stopped.message, false);
+    if (following && this.step > 0) this.showStep(answer ?? this.step);
+    if (stopped) this.showError(stopped.message);
   }
 
   /** The run is lost; what the record holds can still be looked at. */
@@ -345,33 +374,24 @@ export class Page {
     setNotice(byId('computing', HTMLElement), computing ? done : '');
   }
 
-  private showStep(step: number): void {
+  private get following(): boolean {
+    return this.arrival === 'answer' || this.arrival === 'return';
+  }
+
+  /** `recent`: the step of a moment ago, while the film plays. */
+  private showStep(step: number, recent = step): void {
     const { record } = this;
     if (!record) return;
     this.step = step;
     const summary = record.summary(step);
-    this.shape?.showStep(step);
+    this.shape?.showStep(step, recent);
     this.diagram.showStep(step);
     this.transport.showStep(summary);
-    this.cardList.mark(summary);
-    this.status.show(record, summary, this.playing || this.arrival === 'answer');
+    const card = this.cardList.mark(summary);
+    if (!this.following) this.announcer.at(card);
+    this.status.show(record, summary, this.film.playing || this.following);
     this.root.dataset['step'] = String(step);
     this.root.dataset['family'] = summary.family;
     this.root.dataset['betti'] = summary.betti.join(',');
-  }
-
-  private advanceFilm(elapsedMs: number): void {
-    const { record } = this;
-    if (!record) return;
-    const next = this.playback.advance(record, this.step, elapsedMs);
-    if (next !== this.step) this.showStep(next);
-    const complete = record.state === 'finished' || record.state === 'stopped';
-    if (complete && next >= record.stepCount) this.pause();
-  }
-
-  private setNotices(message: string, askForColumns: boolean): void {
-    this.alert.textContent = message;
-    byId('trouble', HTMLElement).hidden = message === '';
-    byId('columns-form', HTMLFormElement).hidden = !askForColumns;
   }
 }

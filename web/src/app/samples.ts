@@ -36,7 +36,7 @@ export const SAMPLES: readonly Sample[] = [
     size: 15000,
     preview: 1400,
     provenance: 'Random by area; unlike handles',
-    lookFor: 'A ring with a large hole first; closer by, a second, small handle appears.',
+    lookFor: 'A ring with a large hole first; closer by, a second, small handle appears: genus 2.',
   },
   {
     shape: 'tanglecube',

@@ -12,7 +12,8 @@ function sentence(record: RunRecord, at: StepSummary | undefined): string {
 
 /**
  * The numbers of the playhead twice: for eyes at every frame, for screen readers at most once a second while the film
- * runs.
+ * runs. They can be read there at any time, but they are spoken only when the visitor moved the playhead: of the film
+ * the announcer tells plateaus.
  */
 export class StatusLine {
   private spokenAt = -Infinity;
@@ -25,6 +26,7 @@ export class StatusLine {
   show(record: RunRecord, at: StepSummary | undefined, moving: boolean): void {
     const text = sentence(record, at);
     this.readout.textContent = text;
+    this.status.setAttribute('aria-live', moving ? 'off' : 'polite');
     const now = performance.now();
     if (moving && now - this.spokenAt < SPOKEN_EVERY_MS) return;
     this.spokenAt = now;

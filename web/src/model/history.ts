@@ -5,6 +5,11 @@ export class History<T> {
   private readonly entries: T[] = [];
   private at = -1;
 
+  /** Where it stands, for `returnTo`. */
+  get place(): number {
+    return this.at;
+  }
+
   add(entry: T): void {
     this.entries.length = this.at + 1;
     this.entries.push(entry);
@@ -17,8 +22,13 @@ export class History<T> {
     return this.entries[this.at + by];
   }
 
-  /** Goes there; for when it is shown. */
+  /** Goes there. */
   go(by: -1 | 1): void {
     if (this.peek(by) !== undefined) this.at += by;
+  }
+
+  /** Takes steps back that led nowhere: to a place since which nothing was added. */
+  returnTo(place: number): void {
+    this.at = Math.max(-1, Math.min(place, this.entries.length - 1));
   }
 }

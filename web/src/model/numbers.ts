@@ -5,6 +5,11 @@ export function grouped(count: number): string {
   return String(count).replace(/\B(?=(\d{3})+(?!\d))/g, ',');
 }
 
+/** 12345 as "12 345": in lists, which have commas of their own. */
+export function spaced(count: number): string {
+  return String(count).replace(/\B(?=(\d{3})+(?!\d))/g, THIN_SPACE);
+}
+
 /** Three significant digits, plain where a plain number is readable. */
 export function readable(value: number): string {
   if (value === 0) return '0';

@@ -1,4 +1,5 @@
 import type { Plateaus, ShownFamily } from '../worker/protocol.ts';
+import { counted } from './numbers.ts';
 import { bettiInWords, scaleInWords, shapeInWords } from './words.ts';
 import { shownFamilyName } from './record.ts';
 
@@ -7,7 +8,7 @@ const JOIN_GAP = 0.05;
 /** Cards shorter than this (in ln 1/ε) tell more about noise than about the shape. */
 const SHORTEST = 0.1;
 const MOST_CARDS = 12;
-/** With fewer landmarks any cloud looks like a piece or a ring. */
+/** With fewer landmarks a piece any cloud looks like a piece or a ring, or falls to dust. */
 const FEW_LANDMARKS = 12;
 
 /** A plateau as the visitor meets it: possibly several equal runs with short interruptions. */
@@ -88,11 +89,23 @@ export function joinedPlateaus(plateaus: Plateaus, dimension: number): PlateauCa
   return done.map(({ card }) => card);
 }
 
-/** The cards to show: the longest first, those too short to mean anything left out. */
+/** The landmarks of one piece, at the most. */
+function landmarksPerPiece({ lastStep, betti }: PlateauCard): number {
+  return Math.floor(lastStep / Math.max(1, betti[0] ?? 1));
+}
+
+function fewLandmarks(card: PlateauCard): boolean {
+  return landmarksPerPiece(card) < FEW_LANDMARKS;
+}
+
+/** The cards to show: the longest first, those of few landmarks last, those too short to mean anything left out. */
 export function rankedCards(plateaus: Plateaus, dimension: number): PlateauCard[] {
   return joinedPlateaus(plateaus, dimension)
     .filter((card) => card.length >= SHORTEST)
-    .sort((a, b) => b.length - a.length || a.firstStep - b.firstStep)
+    .sort(
+      (a, b) =>
+        Number(fewLandmarks(a)) - Number(fewLandmarks(b)) || b.length - a.length || a.firstStep - b.firstStep,
+    )
     .slice(0, MOST_CARDS);
 }
 
@@ -107,14 +120,15 @@ export interface CardWords {
 }
 
 export function cardWords(card: PlateauCard): CardWords {
+  const each = (card.betti[0] ?? 1) > 1 ? ' a piece' : '';
   return {
     shape: shapeInWords(card.family, card.betti),
     counts: bettiInWords(card.betti),
     // Where it ends is where the next shape begins, as its band in the diagram.
     scale: scaleInWords(card.epsilonFirst, card.epsilonFirst * Math.exp(-card.length)),
     family: card.runs === 1 ? card.family : `${card.family} · ${card.runs} runs joined`,
-    ...(card.lastStep < FEW_LANDMARKS
-      ? { note: `at most ${card.lastStep} landmarks: too few to trust` }
+    ...(fewLandmarks(card)
+      ? { note: `at most ${counted(landmarksPerPiece(card), 'landmark')}${each}: too few to trust` }
       : {}),
   };
 }

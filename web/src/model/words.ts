@@ -1,5 +1,5 @@
 import type { ShownFamily } from '../worker/protocol.ts';
-import { counted, readable } from './numbers.ts';
+import { counted, readable, spaced } from './numbers.ts';
 
 /** "1 component, 2 loops, 1 void"; what is zero goes unsaid. */
 export function bettiInWords(betti: readonly number[]): string {
@@ -10,9 +10,14 @@ export function bettiInWords(betti: readonly number[]): string {
   return parts.join(', ');
 }
 
+/** "1, 2, 1". */
+export function bettiList(betti: readonly number[]): string {
+  return betti.map(spaced).join(', ');
+}
+
 /** "β 1, 2, 1". */
 export function bettiInNumbers(betti: readonly number[]): string {
-  return `β ${betti.join(', ')}`;
+  return `β ${bettiList(betti)}`;
 }
 
 function closedSurface(components: number, loops: number): string {

@@ -1,4 +1,4 @@
-import { readable } from '../model/numbers.ts';
+import { grouped, readable } from '../model/numbers.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
 import {
@@ -10,6 +10,7 @@ import {
   type AxisKind,
   type ScaleAxis,
 } from '../model/scale-axis.ts';
+import { bettiList } from '../model/words.ts';
 import type { ShownFamily } from '../worker/protocol.ts';
 
 /** The Betti diagram as places on paper: the canvas on the page and the SVG file draw the same. */
@@ -23,6 +24,8 @@ export interface DiagramLayout {
   readonly axis: ScaleAxis;
   readonly kind: AxisKind;
   readonly bands: readonly Band[];
+  /** The bands of an earlier run, for a strip of their own above the others. */
+  readonly earlier: readonly Band[];
   readonly columns: readonly Tick[];
   readonly lines: readonly Tick[];
   /** β0, β1, …: corners of stepped lines, x and y in turn. */
@@ -51,9 +54,14 @@ export interface DiagramSize {
   readonly resolution: number;
   /** Logarithmic unless asked otherwise. */
   readonly kind?: AxisKind;
+  /** Plateaus of an earlier run of the same points to compare with. */
+  readonly earlier?: readonly PlateauCard[];
 }
 
-const MARGIN = { left: 40, right: 14, top: 12, bottom: 36 };
+/** Height of the strip of earlier bands, and its distance from what is below. */
+export const STRIP = { height: 16, gap: 8 };
+
+const MARGIN = { left: 48, right: 16, top: 12, bottom: 36 };
 /** Equal Betti numbers are drawn side by side, this far apart. */
 const SIDE_BY_SIDE = 3;
 /** Room above the lines for the Betti numbers of the bands. */
@@ -164,12 +172,12 @@ function steppedLine(
 }
 
 export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: DiagramSize): DiagramLayout {
-  const { width, resolution, kind = 'log' } = size;
+  const { width, resolution, kind = 'log', earlier = [] } = size;
   const axis = axisOf(record);
   const frame = {
     left: MARGIN.left,
     right: width - MARGIN.right,
-    top: MARGIN.top,
+    top: MARGIN.top + (earlier.length > 0 ? STRIP.height + STRIP.gap : 0),
     bottom: size.height - MARGIN.bottom,
   };
   let most = 3;
@@ -194,7 +202,7 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
       from: startOf(card.firstStep),
       to: startOf(card.lastStep + 1),
       family: card.family,
-      label: card.betti.join(', '),
+      label: bettiList(card.betti),
     }));
   return {
     width,
@@ -203,16 +211,34 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
     axis,
     kind,
     bands,
+    earlier: earlierBands(earlier, x, frame),
     columns: (kind === 'log' ? scaleTicks : evenTicks)(axis, frame.right - frame.left).map((value) => ({
       at: x(Math.log(value)),
       label: readable(value)
         .replace(/(\.\d*?)0+$/, '$1')
         .replace(/\.$/, ''),
     })),
-    lines: thinned(bettiTicks(most).map((value) => ({ at: y(value), label: String(value) }))),
+    lines: thinned(bettiTicks(most).map((value) => ({ at: y(value), label: grouped(value) }))),
     series,
     computedTo: end,
   };
+}
+
+/** The earlier run has other steps: its plateaus lie where their ε are. */
+function earlierBands(
+  cards: readonly PlateauCard[],
+  x: (scale: number) => number,
+  { left, right }: { readonly left: number; readonly right: number },
+): Band[] {
+  return cards
+    .filter(({ epsilonFirst }) => epsilonFirst > 0)
+    .map(({ epsilonFirst, length, family, betti }) => ({
+      from: Math.max(left, x(-Math.log(epsilonFirst))),
+      to: Math.min(right, x(length - Math.log(epsilonFirst))),
+      family,
+      label: bettiList(betti),
+    }))
+    .filter(({ from, to }) => from < to);
 }
 
 /** Labels that do not overlap: those further up give way. */

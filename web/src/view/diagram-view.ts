@@ -1,24 +1,39 @@
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
-import { scaleOf, stepAt, type AxisKind } from '../model/scale-axis.ts';
+import { axisOf, scaleOf, stepAt, type AxisKind } from '../model/scale-axis.ts';
 import { readable, grouped } from '../model/numbers.ts';
 import { bettiInNumbers } from '../model/words.ts';
-import { layOut, scaleToX, xToScale, type DiagramLayout } from './diagram-layout.ts';
+import { layOut, scaleToX, STRIP, xToScale, type Band, type DiagramLayout } from './diagram-layout.ts';
 
 /** Reads the value of a CSS variable. */
 type Style = (name: string) => string;
 
-function paintBands(context: CanvasRenderingContext2D, layout: DiagramLayout, style: Style): void {
-  const { top, bottom } = layout;
+function paintBands(
+  context: CanvasRenderingContext2D,
+  bands: readonly Band[],
+  top: number,
+  height: number,
+  style: Style,
+): void {
   context.textAlign = 'left';
-  for (const band of layout.bands) {
+  for (const band of bands) {
     context.fillStyle = style(`--band-${band.family}`);
     // A pixel in between tells two bands of one color apart.
-    context.fillRect(band.from, top, Math.max(1, band.to - band.from - 1), bottom - top);
+    context.fillRect(band.from, top, Math.max(1, band.to - band.from - 1), height);
     // Beginning at the left, out of the way of the playhead in the middle.
     if (band.to - band.from < context.measureText(band.label).width + 10) continue;
     context.fillStyle = style('--ink');
     context.fillText(band.label, band.from + 5, top + 9);
+  }
+}
+
+/** The plateaus of the earlier run, each with a line in its color below. */
+function paintEarlier(context: CanvasRenderingContext2D, layout: DiagramLayout, style: Style): void {
+  const top = layout.top - STRIP.height - STRIP.gap;
+  paintBands(context, layout.earlier, top, STRIP.height, style);
+  for (const { from, to, family } of layout.earlier) {
+    context.fillStyle = style(`--mark-${family}`);
+    context.fillRect(from, top + STRIP.height, Math.max(1, to - from - 1), 2);
   }
 }
 
@@ -47,14 +62,12 @@ function paintAxes(context: CanvasRenderingContext2D, layout: DiagramLayout, sty
   context.strokeStyle = style('--grid');
   context.fillStyle = style('--muted');
   context.lineWidth = 1;
-  context.textAlign = 'right';
-  for (const { at, label } of layout.lines) {
+  for (const { at } of layout.lines) {
     const y = Math.round(at) + 0.5;
     context.beginPath();
     context.moveTo(left, y);
     context.lineTo(right, y);
     context.stroke();
-    context.fillText(label, left - 7, at);
   }
   context.textAlign = 'center';
   context.strokeStyle = style('--muted');
@@ -67,7 +80,25 @@ function paintAxes(context: CanvasRenderingContext2D, layout: DiagramLayout, sty
     context.fillText(label, at, bottom + 13);
   }
   context.stroke();
-  context.fillText('1/ε', (left + right) / 2, bottom + 27);
+}
+
+/** What stays in its place while the diagram is scrolled: the numbers at the left and the names of the axes. */
+function paintNames(
+  context: CanvasRenderingContext2D,
+  layout: DiagramLayout,
+  style: Style,
+  seen: number,
+): void {
+  const { left, top, bottom } = layout;
+  context.clearRect(0, 0, left, layout.height);
+  context.fillStyle = style('--muted');
+  context.textAlign = 'right';
+  for (const { at, label } of layout.lines) context.fillText(label, left - 7, at);
+  if (layout.earlier.length > 0) {
+    context.fillText('before', left - 3, top - STRIP.gap - STRIP.height / 2);
+  }
+  context.textAlign = 'center';
+  context.fillText('1/ε', (left + seen) / 2, bottom + 28);
 }
 
 function paintSeries(context: CanvasRenderingContext2D, layout: DiagramLayout, style: Style): void {
@@ -81,9 +112,16 @@ function paintSeries(context: CanvasRenderingContext2D, layout: DiagramLayout, s
   });
 }
 
+/** No e-fold of scale gets less room, up to a width at which a diagram is readable in any case. */
+const LEAST_E_FOLD = 130;
+const READABLE_WIDTH = 560;
+/** The playhead keeps this far from the end of what is seen. */
+const EDGE = 24;
+
 /**
  * The Betti numbers over 1/ε with plateau bands and a playhead. Dragging asks for a step; the playhead is an element
- * of its own, so moving it paints nothing.
+ * of its own, so moving it paints nothing. On a narrow screen the diagram is wider than its box and scrolls along 1/ε:
+ * then a finger scrolls and taps, and drags the playhead by its grip.
  */
 export class DiagramView {
   private readonly canvas = document.createElement('canvas');
@@ -92,13 +130,18 @@ export class DiagramView {
   private readonly resizing: ResizeObserver;
   private record: RunRecord | undefined;
   private cards: readonly PlateauCard[] = [];
+  private earlier: readonly PlateauCard[] = [];
   private layout: DiagramLayout | undefined;
   private step = 0;
   private paintRequest = 0;
   private kind: AxisKind = 'log';
+  private dragged = false;
+  /** The finger that is down scrolls, or taps. */
+  private tapped = false;
 
   constructor(
     private readonly container: HTMLElement,
+    private readonly scroller: HTMLElement,
     private readonly onScrub: (step: number) => void,
   ) {
     this.playhead.className = 'playhead';
@@ -108,15 +151,19 @@ export class DiagramView {
     this.reading.hidden = true;
     container.append(this.canvas, this.playhead, this.reading);
     container.addEventListener('pointerdown', this.startDrag);
+    container.addEventListener('click', this.tap);
     container.addEventListener('pointermove', this.read);
     container.addEventListener('pointerleave', this.stopReading);
     this.resizing = new ResizeObserver(() => this.requestPaint());
-    this.resizing.observe(container);
+    this.resizing.observe(scroller);
+    scroller.addEventListener('scroll', this.repaint);
   }
 
-  setRecord(record: RunRecord): void {
+  /** `earlier`: the plateaus of a run of the same points to compare with. */
+  setRecord(record: RunRecord, earlier: readonly PlateauCard[]): void {
     this.record = record;
     this.cards = [];
+    this.earlier = earlier;
     this.step = 0;
     this.requestPaint();
   }
@@ -130,6 +177,7 @@ export class DiagramView {
   showStep(step: number): void {
     this.step = step;
     this.placePlayhead();
+    this.keepInSight();
   }
 
   get axisKind(): AxisKind {
@@ -151,7 +199,9 @@ export class DiagramView {
   dispose(): void {
     cancelAnimationFrame(this.paintRequest);
     this.resizing.disconnect();
+    this.scroller.removeEventListener('scroll', this.repaint);
     this.container.removeEventListener('pointerdown', this.startDrag);
+    this.container.removeEventListener('click', this.tap);
     this.container.removeEventListener('pointermove', this.read);
     this.container.removeEventListener('pointerleave', this.stopReading);
     this.canvas.remove();
@@ -159,27 +209,47 @@ export class DiagramView {
     this.reading.remove();
   }
 
+  private readonly repaint = (): void => this.requestPaint();
+
+  /** As wide as the box, or wider where that would press the scales together. */
+  private get width(): number {
+    const { clientWidth } = this.scroller;
+    if (!this.record) return clientWidth;
+    const { low, high } = axisOf(this.record);
+    return Math.max(clientWidth, Math.min(READABLE_WIDTH, Math.round((high - low) * LEAST_E_FOLD)));
+  }
+
   private paint(): void {
-    const { clientWidth: width, clientHeight: height } = this.container;
+    const { clientHeight: height } = this.container;
+    const { clientWidth: seen, scrollLeft } = this.scroller;
     const context = this.canvas.getContext('2d');
-    if (!this.record || !context || width === 0 || height === 0) return;
+    if (!this.record || !context || seen === 0 || height === 0) return;
+    const { width } = this;
+    const scrolls = width > seen;
+    this.container.style.width = scrolls ? `${width}px` : '';
+    this.container.classList.toggle('scrolls', scrolls);
+    this.canvas.style.width = `${seen}px`;
     const ratio = Math.min(window.devicePixelRatio, 3);
-    const [pixelsX, pixelsY] = [Math.round(width * ratio), Math.round(height * ratio)];
+    const [pixelsX, pixelsY] = [Math.round(seen * ratio), Math.round(height * ratio)];
     if (this.canvas.width !== pixelsX || this.canvas.height !== pixelsY) {
       this.canvas.width = pixelsX;
       this.canvas.height = pixelsY;
     }
     const css = getComputedStyle(this.container);
     const style: Style = (name) => css.getPropertyValue(name).trim();
-    const layout = layOut(this.record, this.cards, { width, height, resolution: ratio, kind: this.kind });
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
-    context.font = `12px ${css.fontFamily}`;
+    const { kind, earlier } = this;
+    const layout = layOut(this.record, this.cards, { width, height, resolution: ratio, kind, earlier });
+    context.setTransform(ratio, 0, 0, ratio, -scrollLeft * ratio, 0);
+    context.clearRect(scrollLeft, 0, seen, height);
+    context.font = `${style('--small')} ${css.fontFamily}`;
     context.textBaseline = 'middle';
-    paintBands(context, layout, style);
+    paintBands(context, layout.bands, layout.top, layout.bottom - layout.top, style);
+    paintEarlier(context, layout, style);
     paintOpenRange(context, layout, style);
     paintAxes(context, layout, style);
     paintSeries(context, layout, style);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    paintNames(context, layout, style, seen);
     this.layout = layout;
     this.placePlayhead();
   }
@@ -189,16 +259,42 @@ export class DiagramView {
       this.playhead.hidden = true;
       return;
     }
-    const x = scaleToX(this.layout, scaleOf(this.record, this.step));
     this.playhead.hidden = false;
-    this.playhead.style.transform = `translateX(${x}px)`;
+    this.playhead.style.transform = `translateX(${this.playheadAt}px)`;
   }
 
+  private get playheadAt(): number {
+    if (!this.record || !this.layout || this.step < 1) return 0;
+    return scaleToX(this.layout, scaleOf(this.record, this.step));
+  }
+
+  /** A playhead that leaves the visible part of the diagram takes it along. */
+  private keepInSight(): void {
+    const { clientWidth, scrollWidth, scrollLeft } = this.scroller;
+    if (!this.layout || scrollWidth <= clientWidth) return;
+    const at = this.playheadAt - scrollLeft;
+    const [first, last] = [this.layout.left, clientWidth - EDGE];
+    if (first <= at && at <= last) return;
+    // Under a hand the diagram moves no more than it must.
+    const place = !this.dragged ? clientWidth / 2 : at < first ? first : last;
+    this.scroller.scrollLeft += at - place;
+  }
+
+  /** A finger that neither scrolled nor dragged means the place. */
+  private readonly tap = (event: MouseEvent): void => {
+    if (this.tapped) this.scrubTo(event.clientX);
+  };
+
   private readonly startDrag = (down: PointerEvent): void => {
-    if (down.button !== 0) return;
+    const scrolls = this.container.classList.contains('scrolls');
+    const byFinger = scrolls && down.pointerType === 'touch' && down.target !== this.playhead;
+    this.tapped = byFinger;
+    if (down.button !== 0 || byFinger) return;
+    this.dragged = true;
     this.container.setPointerCapture(down.pointerId);
     const move = (event: PointerEvent): void => this.scrubTo(event.clientX);
     const end = (): void => {
+      this.dragged = false;
       this.container.removeEventListener('pointermove', move);
       this.container.removeEventListener('pointerup', end);
       this.container.removeEventListener('pointercancel', end);
@@ -219,7 +315,7 @@ export class DiagramView {
     if (!within) return;
     const { step, epsilon, betti } = record.summary(stepAt(record, xToScale(layout, x)));
     this.reading.textContent = `step ${grouped(step)} · ε ${readable(epsilon)} · ${bettiInNumbers(betti)}`;
-    const onLeft = x > (layout.left + layout.right) / 2;
+    const onLeft = x - this.scroller.scrollLeft > this.scroller.clientWidth / 2;
     this.reading.classList.toggle('on-left', onLeft);
     this.reading.style.transform = `translateX(${x}px)${onLeft ? ' translateX(-100%)' : ''}`;
   };

@@ -63,11 +63,11 @@ export class LifespanLayer {
     }
   }
 
-  /** Draws what may live at the step; the shader leaves out the dead among it. */
-  show(step: number, track: number): void {
+  /** Draws what may live at the step or died after `recent`; the shader leaves out the dead among it. */
+  show(step: number, track: number, recent: number): void {
     for (const { chunk, geometry, object } of this.drawn) {
       const born = chunk.bornBy(step);
-      object.visible = born > 0 && (this.form === 'point' || chunk.outlives(track, step));
+      object.visible = born > 0 && (this.form === 'point' || chunk.outlives(track, recent));
       if (geometry instanceof InstancedBufferGeometry) geometry.instanceCount = born;
       else geometry.setDrawRange(0, born);
     }

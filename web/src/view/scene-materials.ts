@@ -29,11 +29,13 @@ const LANDMARK_SIZES: readonly [number, number] = [3.2, 11];
 export interface SharedUniforms {
   readonly uPositions: IUniform<Texture | null>;
   readonly uStep: IUniform<number>;
+  readonly uRecent: IUniform<number>;
   readonly uTrack: IUniform<number>;
   readonly uViewport: IUniform<Vector2>;
   readonly uDistance: IUniform<number>;
   readonly uHaze: IUniform<number>;
   readonly uBackground: IUniform<Color>;
+  readonly uAccent: IUniform<Color>;
   readonly uByAge: IUniform<number>;
   readonly uCut: IUniform<Vector4>;
   readonly uShown: IUniform<Vector2>;
@@ -62,11 +64,13 @@ export function createMaterials(): SceneMaterials {
   const shared: SharedUniforms = {
     uPositions: { value: null },
     uStep: { value: 0 },
+    uRecent: { value: 0 },
     uTrack: { value: 0 },
     uViewport: { value: new Vector2(1, 1) },
     uDistance: { value: 1 },
     uHaze: { value: 1 },
     uBackground: { value: new Color() },
+    uAccent: { value: new Color() },
     uByAge: { value: 0 },
     uCut: { value: NO_CUT.clone() },
     uShown: { value: new Vector2(1, 1) },
@@ -81,7 +85,6 @@ export function createMaterials(): SceneMaterials {
   const witnessAlpha = { value: 0.4 };
   const witnessSize = { value: WITNESS_SIZE };
   const landmarkColor = { value: new Color() };
-  const accent = { value: new Color() };
   const landmarkDiameter = { value: 0 };
   const landmarkSizes = { value: new Vector2() };
 
@@ -115,10 +118,11 @@ export function createMaterials(): SceneMaterials {
   witness.depthWrite = false;
   const landmark = material(LANDMARK_VERTEX, LANDMARK_FRAGMENT, {
     uColor: landmarkColor,
-    uAccent: accent,
     uDiameter: landmarkDiameter,
     uSizeRange: landmarkSizes,
   });
+  // Dots of a few pixels are round only with smooth sides.
+  landmark.transparent = true;
   const all = [edge, surface, faces, witness, landmark];
 
   let theme = sceneTheme();
@@ -141,7 +145,7 @@ export function createMaterials(): SceneMaterials {
       witnessColor.value.copy(theme.witness);
       witnessAlpha.value = theme.witnessAlpha;
       landmarkColor.value.copy(theme.landmark);
-      accent.value.copy(theme.accent);
+      shared.uAccent.value.copy(theme.accent);
     },
     setFamily(family) {
       shown = family;

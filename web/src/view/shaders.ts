@@ -11,6 +11,7 @@ uniform mat4 projectionMatrix;
 uniform highp sampler2D uPositions;
 uniform uint uStep;
 uniform uint uTrack;
+uniform float uRecent;  // the step of a moment ago while the film plays, else uStep
 uniform vec2 uViewport;
 uniform vec4 uCut;  // section plane: normal and offset in the scene; what lies beyond it is not drawn
 
@@ -23,8 +24,15 @@ float cutOf(uint index) {
 vec3 viewOf(uint index) {
   return (modelViewMatrix * vec4(positionOf(index), 1.0)).xyz;
 }
-bool lives(uint birth, uvec2 death) {
-  return birth <= uStep && uStep < (uTrack == 0u ? death.x : death.y);
+/** How much of the moment since uRecent had passed at a step: from 0 to 1 at uStep. */
+float momentAt(uint step) {
+  return clamp((float(step) - uRecent) / max(float(uStep) - uRecent, 1.0), 0.0, 1.0);
+}
+/** 1: lives; below: died a moment ago; 0: is not there. */
+float presenceOf(uint birth, uvec2 death) {
+  uint end = uTrack == 0u ? death.x : death.y;
+  if (birth > uStep || birth >= end) return 0.0;
+  return uStep < end ? 1.0 : 0.75 * momentAt(end);
 }
 const vec4 NOWHERE = vec4(2.0, 2.0, 2.0, 1.0);
 `;
@@ -43,6 +51,7 @@ precision highp float;
 precision highp int;
 out vec4 outColor;
 uniform float uByAge;  // 0: color by plateau, 1: by age
+uniform vec3 uAccent;  // of what is new
 
 /** Blue, gray, yellow: told apart by all eyes, and in print. Age 0 is the first landmark, 1 the newest. */
 vec3 tinted(vec3 color, float age) {
@@ -65,10 +74,14 @@ out float vHaze;
 out float vSide;
 out float vCut;
 flat out float vAge;
+flat out float vGlow;
+flat out float vPresence;
 const float NEAR = 0.02;
 
 void main() {
-  if (!lives(simplex.z, death)) {
+  vGlow = momentAt(simplex.z);
+  vPresence = presenceOf(simplex.z, death);
+  if (vPresence <= 0.0) {
     gl_Position = NOWHERE;
     return;
   }
@@ -115,12 +128,15 @@ in float vHaze;
 in float vSide;
 in float vCut;
 flat in float vAge;
+flat in float vGlow;
+flat in float vPresence;
 
 void main() {
   if (vCut > 0.0) discard;
-  float alpha = clamp(uWidth * 0.5 + 0.5 - abs(vSide), 0.0, 1.0);
+  float alpha = vPresence * clamp(uWidth * 0.5 + 0.5 - abs(vSide), 0.0, 1.0);
   if (alpha < 0.05) discard;
-  outColor = vec4(mix(tinted(uColor, vAge), uBackground, vHaze * 0.75), alpha);
+  vec3 color = mix(tinted(uColor, vAge), uAccent, 0.9 * vGlow);
+  outColor = vec4(mix(color, uBackground, vHaze * 0.75), alpha);
 }
 `;
 
@@ -134,9 +150,13 @@ out vec3 vBarycentric;
 out float vHaze;
 out float vCut;
 flat out float vAge;
+flat out float vGlow;
+flat out float vPresence;
 
 void main() {
-  if (!lives(simplex.w, death)) {
+  vGlow = momentAt(simplex.w);
+  vPresence = presenceOf(simplex.w, death);
+  if (vPresence <= 0.0) {
     gl_Position = NOWHERE;
     return;
   }
@@ -166,13 +186,19 @@ in vec3 vBarycentric;
 in float vHaze;
 in float vCut;
 flat in float vAge;
+flat in float vGlow;
+flat in float vPresence;
 
 void main() {
   if (vCut > 0.0) discard;
+  // What fades is drawn through a sieve: blending would need an order.
+  float sieve = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  if (vPresence <= sieve) discard;
   vec3 n = gl_FrontFacing ? vNormal : -vNormal;
   float key = max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
   float fill = max(dot(n, normalize(vec3(0.7, -0.2, 0.45))), 0.0);
   vec3 color = tinted(gl_FrontFacing ? uFront : uBack, vAge) * (0.52 + 0.46 * key + 0.14 * fill);
+  color = mix(color, uAccent, 0.55 * vGlow);
   color = mix(color, uBackground, vHaze * 0.3);
   // Where triangles are a few pixels wide their edges would only darken them.
   vec3 pixel = fwidth(vBarycentric);
@@ -220,6 +246,7 @@ uniform vec2 uSizeRange;  // least and most, in pixels
 out float vHaze;
 out float vNew;
 flat out float vAge;
+flat out float vSize;
 
 void main() {
   if (cutOf(simplex.x) > 0.0) {
@@ -231,26 +258,28 @@ void main() {
   gl_Position = projectionMatrix * vec4(here, 1.0);
   gl_Position.z -= 0.0008 * gl_Position.w;
   float size = uDiameter * projectionMatrix[1][1] * uViewport.y * 0.5 / max(-here.z, 0.02);
-  vNew = simplex.y == uStep ? 1.0 : 0.0;
+  vNew = simplex.y == uStep ? 1.0 : momentAt(simplex.y);
   gl_PointSize = clamp(size, uSizeRange.x, uSizeRange.y) * (1.0 + 0.6 * vNew);
+  vSize = gl_PointSize;
   vHaze = hazeAt(-here.z);
 }
 `;
 
 export const LANDMARK_FRAGMENT = /* glsl */ `${FRAGMENT}
 uniform vec3 uColor;
-uniform vec3 uAccent;
 uniform vec3 uBackground;
 in float vHaze;
 in float vNew;
 flat in float vAge;
+flat in float vSize;
 
 void main() {
   vec2 at = (gl_PointCoord - 0.5) * 2.0;
   float r = dot(at, at);
-  if (r > 1.0) discard;
-  vec3 n = vec3(at.x, -at.y, sqrt(1.0 - r));
+  float inside = (1.0 - sqrt(r)) * 0.5 * vSize + 0.5;  // pixels from the rim
+  if (inside <= 0.0) discard;
+  vec3 n = vec3(at.x, -at.y, sqrt(max(0.0, 1.0 - r)));
   float light = 0.72 + 0.34 * max(dot(n, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
-  outColor = vec4(mix(mix(tinted(uColor, vAge), uAccent, vNew) * light, uBackground, vHaze * 0.6), 1.0);
+  outColor = vec4(mix(mix(tinted(uColor, vAge), uAccent, vNew) * light, uBackground, vHaze * 0.6), min(inside, 1.0));
 }
 `;

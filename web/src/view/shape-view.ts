@@ -1,4 +1,13 @@
-import { BufferGeometry, PerspectiveCamera, Points, Scene, Vector3, WebGLRenderer } from 'three';
+import {
+  BufferGeometry,
+  PerspectiveCamera,
+  Points,
+  Quaternion,
+  Scene,
+  Spherical,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { RunRecord } from '../model/record.ts';
 import { distanceFor, frameCloud, type CloudFrame } from './cloud-frame.ts';
@@ -95,14 +104,18 @@ export class ShapeView {
     for (const layer of Object.values(this.layers)) layer.sync();
   }
 
-  /** Sets two uniforms and the counts of what is drawn; uploads no geometry. */
-  showStep(step: number): void {
+  /**
+   * Sets three uniforms and the counts of what is drawn; uploads no geometry. What was born after `recent` glows, what
+   * died after it fades.
+   */
+  showStep(step: number, recent = step): void {
     if (!this.layers || !this.record || !this.frame || step < 1) return;
     const { family, track, epsilon } = this.record.summary(step);
     const { points, edges, triangles, rows } = this.layers;
     const onSurface = family === 'surface';
     this.materials.setFamily(family);
     this.materials.shared.uStep.value = step;
+    this.materials.shared.uRecent.value = recent;
     this.materials.shared.uTrack.value = onSurface ? 0 : track;
     this.materials.landmarkDiameter.value = epsilon * this.frame.scale * LANDMARK_SHARE;
     const { landmarks, edges: sides, faces, witnesses } = this.shown;
@@ -113,12 +126,20 @@ export class ShapeView {
     points.group.visible = landmarks;
     if (this.witnesses) this.witnesses.visible = witnesses;
     this.materials.shared.uShown.value.set(faces ? 1 : 0, sides ? 1 : 0);
-    points.show(step, 0);
-    if (onSurface) rows.show(step, 0);
+    const since = Math.floor(recent);
+    points.show(step, 0, since);
+    if (onSurface) rows.show(step, 0, since);
     else {
-      edges.show(step, track);
-      triangles.show(step, track);
+      edges.show(step, track, since);
+      triangles.show(step, track, since);
     }
+    this.requestRender();
+  }
+
+  /** The same step a moment later. */
+  glowSince(recent: number): void {
+    if (this.materials.shared.uRecent.value === recent) return;
+    this.materials.shared.uRecent.value = recent;
     this.requestRender();
   }
 
@@ -141,14 +162,39 @@ export class ShapeView {
 
   /** Looks at the whole cloud: in the plane from above, in space from a little above the side. */
   fit(): void {
-    const planar = this.record?.dimension === 2;
-    const direction = planar ? new Vector3(0, 0, 1) : new Vector3(0.45, -0.75, 0.62).normalize();
+    const { planar } = this;
     this.camera.up.set(0, planar ? 1 : 0, planar ? 0 : 1);
     this.controls.enableRotate = !planar;
-    this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(direction.clone().multiplyScalar(this.fittingDistance(direction)));
+    this.lookFrom(planar ? new Vector3(0, 0, 1) : new Vector3(0.45, -0.75, 0.62).normalize());
+  }
+
+  /** The whole cloud from where the visitor has turned it. */
+  frameAll(): void {
+    this.lookFrom(this.camera.position.clone().sub(this.controls.target).normalize());
+  }
+
+  /** Turns the shape by parts of a full turn; in the plane, moves it by parts of what is seen. */
+  turn(across: number, upright: number): void {
+    const { target } = this.controls;
+    const offset = this.camera.position.clone().sub(target);
+    if (this.planar) {
+      target.add(new Vector3(-across, -upright, 0).multiplyScalar(offset.length()));
+    } else {
+      const toUp = new Quaternion().setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0));
+      const place = new Spherical().setFromVector3(offset.applyQuaternion(toUp));
+      place.theta -= 2 * Math.PI * across;
+      place.phi += 2 * Math.PI * upright;
+      offset.setFromSpherical(place.makeSafe()).applyQuaternion(toUp.invert());
+    }
+    this.camera.position.copy(target).add(offset);
     this.controls.update();
-    this.requestRender();
+  }
+
+  /** Nearer by a factor above 1. */
+  zoom(factor: number): void {
+    const { target } = this.controls;
+    this.camera.position.sub(target).divideScalar(factor).add(target);
+    this.controls.update();
   }
 
   /** Reads the colors of the page again. */
@@ -176,6 +222,17 @@ export class ShapeView {
     this.materials.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();
+  }
+
+  private get planar(): boolean {
+    return this.record?.dimension === 2;
+  }
+
+  private lookFrom(direction: Vector3): void {
+    this.controls.target.set(0, 0, 0);
+    this.camera.position.copy(direction.clone().multiplyScalar(this.fittingDistance(direction)));
+    this.controls.update();
+    this.requestRender();
   }
 
   /** From how far, along the direction, all points are in sight. */

@@ -1,0 +1,27 @@
+import { cardWords, type PlateauCard } from '../model/plateau-cards.ts';
+
+const SPOKEN_EVERY_MS = 1_000;
+
+/** Tells screen readers on which plateau the playhead has arrived; steps go unsaid. */
+export class Announcer {
+  private saidAt = -Infinity;
+  private said: string | undefined;
+
+  constructor(private readonly element: HTMLElement) {}
+
+  /** Another run: what was said is over. */
+  restart(): void {
+    this.said = undefined;
+    this.element.textContent = '';
+  }
+
+  /** The card whose shape is shown, if any. What the film leaves within a second goes unsaid. */
+  at(card: PlateauCard | undefined): void {
+    const name = card && `${card.firstStep} ${card.family} ${card.betti.join()}`;
+    if (!card || name === this.said || performance.now() - this.saidAt < SPOKEN_EVERY_MS) return;
+    this.said = name;
+    this.saidAt = performance.now();
+    const { shape, counts, scale } = cardWords(card);
+    this.element.textContent = `Plateau: ${shape}: ${counts}, ${scale}`;
+  }
+}
