@@ -68,12 +68,13 @@ std::optional<Error> write_outputs(const RunArguments& arguments, const Session&
     return std::nullopt;
 }
 
-/// Bytes that a run may take on this machine: four fifths of its memory.
+/// Bytes that a run may take on this machine: half of its memory, for what the run counts takes up to half as much
+/// again while its tables grow.
 std::uint64_t usable_memory() {
     const long pages = sysconf(_SC_PHYS_PAGES);
     const long page_size = sysconf(_SC_PAGESIZE);
     if (pages <= 0 || page_size <= 0) return RunOptions{}.memory_limit;
-    return static_cast<std::uint64_t>(pages) / 5 * 4 * static_cast<std::uint64_t>(page_size);
+    return static_cast<std::uint64_t>(pages) / 2 * static_cast<std::uint64_t>(page_size);
 }
 
 /// A cloud in a plane or on a line is computed as such, and the user should know.
@@ -107,7 +108,7 @@ Result<int> run(const RunArguments& arguments) {
     std::vector<std::string> notes = std::move(read.value().warnings);
 
     RunOptions options = arguments.options;
-    options.memory_limit = usable_memory();
+    options.memory_limit = arguments.memory_limit.value_or(usable_memory());
     auto opened = Session::open(std::move(read.value().cloud), options);
     if (!opened) return opened.error();
     Session session = std::move(opened).value();
@@ -126,7 +127,12 @@ Result<int> run(const RunArguments& arguments) {
         return std::move(*error);
     }
     if (const auto note = degeneracy(session.timeline())) notes.push_back(*note);
-    if (progress.stopped) notes.push_back("Stopped " + place + ": " + progress.stopped->message);
+    if (progress.stopped) notes.push_back(progress.stopped->message);
+    if (progress.ended_at_noise) {
+        std::array<char, 64> text{};
+        std::snprintf(text.data(), text.size(), ": epsilon has fallen to the noise, %.3g.", progress.noise);
+        notes.push_back("Stopped " + place + text.data());
+    }
     if (interrupted()) notes.push_back("Interrupted " + place + ".");
     report(notes);
     return interrupted() ? kInterrupted : kDone;

@@ -51,7 +51,9 @@ public:
 
     Step inserted() const { return static_cast<Step>(timeline_.landmarks.size()); }
     const Timeline& timeline() const { return timeline_; }
+    const LandmarkLists& lists() const { return lists_; }
     std::uint64_t hash() const { return hash_.value(); }
+    /// Bytes held by the cloud and everything that is known about it.
     std::uint64_t memory() const;
 
 private:

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { readable } from '../../../web/src/model/numbers.ts';
-import { cardWords, joinedPlateaus, rankedCards } from '../../../web/src/model/plateau-cards.ts';
+import { cardWords, CardStack } from '../../../web/src/model/plateau-cards.ts';
 import { bettiInWords, shapeInWords } from '../../../web/src/model/words.ts';
 import { plateausOf } from './fixtures.ts';
 
@@ -68,7 +68,7 @@ describe('cards', () => {
       { steps: [51, 52], epsilon: [0.5, 0.495], ratio: 1.01, ...odd },
       { steps: [53, 90], epsilon: [0.495, 0.1], ratio: 4.95, ...torus },
     ]);
-    const cards = joinedPlateaus(plateaus, 3);
+    const cards = new CardStack(3).joined(plateaus);
     expect(cards).toHaveLength(1);
     expect(cards[0]).toMatchObject({ firstStep: 10, lastStep: 90, runs: 2, middleStep: 71 });
     expect(cards[0]?.length).toBeCloseTo(Math.log(10), 10);
@@ -86,12 +86,12 @@ describe('cards', () => {
       { steps: [51, 80], epsilon: [0.5, 0.3], ratio: 1.7, ...odd },
       { steps: [81, 90], epsilon: [0.294, 0.1], ratio: 3, ...torus },
     ]);
-    expect(joinedPlateaus(plateaus, 3)).toHaveLength(3);
-    expect(rankedCards(plateaus, 3).map(({ firstStep }) => firstStep)).toEqual([81, 10, 51]);
+    expect(new CardStack(3).joined(plateaus)).toHaveLength(3);
+    expect(new CardStack(3).ranked(plateaus).map(({ firstStep }) => firstStep)).toEqual([81, 10, 51]);
   });
 
   test('leave out what is too short to mean anything', () => {
     const plateaus = plateausOf([{ steps: [1, 2], epsilon: [1, 1], ratio: 1.02, ...odd }]);
-    expect(rankedCards(plateaus, 3)).toEqual([]);
+    expect(new CardStack(3).ranked(plateaus)).toEqual([]);
   });
 });

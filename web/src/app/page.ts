@@ -7,19 +7,21 @@ import type { RunRecord } from '../model/record.ts';
 import { grouped } from '../model/numbers.ts';
 import type { AxisKind } from '../model/scale-axis.ts';
 import { DiagramView } from '../view/diagram-view.ts';
-import { ShapeView } from '../view/shape-view.ts';
 import type { Failure, RunOptions } from '../worker/protocol.ts';
 import { CardList } from './card-list.ts';
 import { byId, setNotice } from './dom.ts';
 import { RunFeed } from './run-feed.ts';
+import { RunNotes } from './run-notes.ts';
 import { SettingsForm } from './settings-form.ts';
-import { cloudSource, sourceName, type SourceChoice } from './source.ts';
+import { shapeViewOrNone } from './shape-or-none.ts';
+import { cloudSource, sourceName, withDefaults, type SourceChoice } from './source.ts';
 import { StatusLine } from './status-line.ts';
 import { Transport } from './transport.ts';
 import { ViewTools } from './view-tools.ts';
 
 const UNSUPPORTED_DIMENSION = 7;
-const DIAGRAM_EVERY_MS = 120;
+/** While a run grows: the computation needs the time between two pictures. */
+const PICTURES_EVERY_MS = 120;
 
 /** What happens to the playhead when a cloud is opened. */
 type Arrival =
@@ -34,15 +36,6 @@ type Arrival =
 interface Opening {
   readonly choice: SourceChoice;
   readonly options: RunOptions;
-}
-
-function shapeViewOrNone(onView: (unitsPerPixel: number) => void): ShapeView | undefined {
-  try {
-    return new ShapeView(byId('shape', HTMLElement), onView);
-  } catch {
-    byId('no-shape', HTMLElement).hidden = false;
-    return undefined;
-  }
 }
 
 /** The page as a whole: one run that is shown, one playhead, and the way from one run to the next. */
@@ -61,10 +54,13 @@ export class Page {
     (card) => this.goTo(card.middleStep),
   );
   private readonly settings = new SettingsForm(() => this.openAgain());
+  private readonly notes = new RunNotes(() => void this.runPastNoise());
   private readonly playback = new Playback();
   private readonly history = new History<Opening>();
   private readonly sample = byId('sample', HTMLSelectElement);
 
+  /** Bytes that a run may take, where that is less than the module allows. */
+  memoryLimit: number | undefined;
   private opening: AbortController | undefined;
   private failedChoice: SourceChoice | undefined;
   private feed: RunFeed | undefined;
@@ -74,7 +70,7 @@ export class Page {
   private arrival: Arrival = 'wait';
   private playing = false;
   private frameRequest = 0;
-  private diagramDue = 0;
+  private picturesDue = 0;
 
   constructor() {
     this.tools.attach(this.shape);
@@ -117,13 +113,15 @@ export class Page {
     this.root.setAttribute('aria-busy', 'true');
     // The old run must not take slices from the new one; it goes on if the new one fails.
     shown?.run.pause().catch(() => undefined);
+    const begin = performance.now();
     try {
-      const run = await this.client.open(await cloudSource(choice), options, opening.signal);
+      const asked = withDefaults(choice, options, this.memoryLimit);
+      const run = await this.client.open(await cloudSource(choice), asked, opening.signal);
       if (opening.signal.aborted) {
         run.close().catch(() => undefined);
         return;
       }
-      this.show(new RunFeed(run, this.listener()), choice, arrival);
+      this.show(new RunFeed(run, this.listener()), choice, arrival, performance.now() - begin);
       this.settings.show(choice, options, run.opened);
       if (travel) this.history.go(travel);
       else this.history.add({ choice, options });
@@ -249,7 +247,19 @@ export class Page {
     }
   }
 
-  private show(feed: RunFeed, choice: SourceChoice, arrival: Arrival): void {
+  /** Lifts the stop at the noise: the run goes on where it is, or where it has ended. */
+  private async runPastNoise(): Promise<void> {
+    const { feed } = this;
+    if (!feed) return;
+    try {
+      await feed.runPastNoise();
+      if (feed === this.feed) this.showRunState(feed.record);
+    } catch (error) {
+      this.showError(error);
+    }
+  }
+
+  private show(feed: RunFeed, choice: SourceChoice, arrival: Arrival, readMs: number): void {
     this.pause();
     this.feed?.dispose();
     this.feed = feed;
@@ -265,11 +275,12 @@ export class Page {
     byId('legend-voids', HTMLElement).hidden = feed.record.dimension < 3;
     this.markSample();
     this.showEmpty();
-    const count = feed.record.coordinates.length / feed.record.dimension;
+    const { count } = feed.record.frame;
     byId('source', HTMLElement).textContent = `${sourceName(choice)} · ${grouped(count)} points`;
     this.root.dataset['source'] = choice.kind === 'sample' ? choice.shape : choice.file.name;
     this.root.dataset['step'] = '0';
     this.showRunState(feed.record);
+    this.notes.begin(feed.record, readMs);
     feed.start();
   }
 
@@ -295,17 +306,18 @@ export class Page {
   private grown(): void {
     const { record } = this;
     if (!record) return;
-    this.shape?.sync();
-    this.transport.setSteps(record.stepCount);
     const ended = record.state === 'finished' || record.state === 'stopped';
-    if (ended || performance.now() >= this.diagramDue) {
-      this.diagramDue = performance.now() + DIAGRAM_EVERY_MS;
+    const first = this.step === 0 && record.stepCount > 0;
+    if (ended || first || performance.now() >= this.picturesDue) {
+      this.picturesDue = performance.now() + PICTURES_EVERY_MS;
+      this.shape?.sync();
+      this.transport.setSteps(record.stepCount);
       this.diagram.requestPaint();
-    }
-    if (record.stepCount > 0) {
-      if (this.arrival === 'answer') this.showStep(record.stepCount);
-      else if (this.step === 0) this.showStep(1);
-      if (this.arrival === 'play') this.play();
+      if (record.stepCount > 0) {
+        if (this.arrival === 'answer') this.showStep(record.stepCount);
+        else if (first) this.showStep(1);
+        if (this.arrival === 'play') this.play();
+      }
     }
     this.showRunState(record);
   }
@@ -340,9 +352,7 @@ export class Page {
     this.root.dataset['runState'] = record.state;
     this.root.dataset['steps'] = String(record.stepCount);
     this.root.dataset['hash'] = record.hash;
-    const computing = record.state === 'running' || record.state === 'preparing';
-    const done = `computed ${grouped(record.stepCount)} of ${grouped(record.stepsPlanned)}`;
-    setNotice(byId('computing', HTMLElement), computing ? done : '');
+    this.notes.show();
   }
 
   private showStep(step: number): void {

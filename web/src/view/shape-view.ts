@@ -1,7 +1,19 @@
-import { BufferGeometry, PerspectiveCamera, Points, Scene, Vector3, WebGLRenderer } from 'three';
+import {
+  BufferGeometry,
+  type DataTexture,
+  Group,
+  Mesh,
+  PerspectiveCamera,
+  Points,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { RunRecord } from '../model/record.ts';
-import { distanceFor, frameCloud, type CloudFrame } from './cloud-frame.ts';
+import type { CloudFrame } from '../worker/protocol.ts';
+import { distanceFor, frameTexture } from './cloud-frame.ts';
+import { GpuPace } from './gpu-pace.ts';
 import { LifespanLayer } from './lifespan-layer.ts';
 import { createMaterials, NO_CUT, type SceneMaterials } from './scene-materials.ts';
 
@@ -35,19 +47,36 @@ export class ShapeView {
   private readonly resizing: ResizeObserver;
   private record: RunRecord | undefined;
   private frame: CloudFrame | undefined;
+  private positions: DataTexture | undefined;
   private witnesses: Points | undefined;
   private layers:
     | { points: LifespanLayer; edges: LifespanLayer; triangles: LifespanLayer; rows: LifespanLayer }
     | undefined;
   private renderRequest = 0;
+  private readonly pace: GpuPace;
+  private lost = false;
+  private compiled = false;
   private shown: ShownLayers = { witnesses: true, landmarks: true, edges: true, faces: true };
 
-  /** `onView` is told the units of the input that a pixel shows in the middle of the shape. */
+  /**
+   * `onView` is told the units of the input that a pixel shows in the middle of the shape, `onLost` that the browser
+   * has taken the graphics card away or given it back.
+   */
   constructor(
     private readonly container: HTMLElement,
     private readonly onView: (unitsPerPixel: number) => void,
+    onLost: (lost: boolean) => void,
   ) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.pace = new GpuPace(this.renderer.getContext());
+    const changed = (lost: boolean): void => {
+      this.lost = lost;
+      this.pace.dispose();
+      onLost(lost);
+      this.requestRender();
+    };
+    this.renderer.domElement.addEventListener('webglcontextlost', () => changed(true));
+    this.renderer.domElement.addEventListener('webglcontextrestored', () => changed(false));
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
     container.append(this.renderer.domElement);
@@ -58,18 +87,36 @@ export class ShapeView {
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(container);
     this.resize();
+    void this.compile();
+  }
+
+  /** The shaders compile beside the page: a first picture that waits for them would hold it up. */
+  private async compile(): Promise<void> {
+    const { edge, face, surface, witness, landmark } = this.materials;
+    const geometry = new BufferGeometry();
+    const all = new Group();
+    for (const material of [edge, face, surface]) all.add(new Mesh(geometry, material));
+    for (const material of [witness, landmark]) all.add(new Points(geometry, material));
+    for (const object of all.children) object.frustumCulled = false;
+    await this.renderer.compileAsync(all, this.camera);
+    // Draws nothing, but asks the card about each program now, while it has nothing else to do.
+    this.renderer.render(all, this.camera);
+    geometry.dispose();
+    this.compiled = true;
+    this.requestRender();
   }
 
   /** Shows another record from its first step on, from a fresh view point. */
   setRecord(record: RunRecord): void {
     this.clear();
     this.record = record;
-    this.frame = frameCloud(record.coordinates, record.dimension);
+    this.frame = record.frame;
+    this.positions = frameTexture(record.frame);
     const { shared } = this.materials;
-    shared.uPositions.value = this.frame.texture;
+    shared.uPositions.value = this.positions;
     shared.uHaze.value = record.dimension === 2 ? 0 : 1;
     const geometry = new BufferGeometry();
-    geometry.setDrawRange(0, record.coordinates.length / record.dimension);
+    geometry.setDrawRange(0, record.frame.count);
     this.witnesses = new Points(geometry, this.materials.witness);
     this.witnesses.frustumCulled = false;
     this.layers = {
@@ -106,19 +153,15 @@ export class ShapeView {
     this.materials.shared.uTrack.value = onSurface ? 0 : track;
     this.materials.landmarkDiameter.value = epsilon * this.frame.scale * LANDMARK_SHARE;
     const { landmarks, edges: sides, faces, witnesses } = this.shown;
-    // Edges of the surface are drawn with its triangles.
-    rows.group.visible = onSurface && (faces || sides);
-    edges.group.visible = !onSurface && sides;
-    triangles.group.visible = !onSurface && faces;
-    points.group.visible = landmarks;
     if (this.witnesses) this.witnesses.visible = witnesses;
     this.materials.shared.uShown.value.set(faces ? 1 : 0, sides ? 1 : 0);
-    points.show(step, 0);
-    if (onSurface) rows.show(step, 0);
-    else {
-      edges.show(step, track);
-      triangles.show(step, track);
-    }
+    const draw = (layer: LifespanLayer, drawn: boolean): void =>
+      drawn ? layer.show(step, track) : layer.hide();
+    draw(points, landmarks);
+    // Edges of the surface are drawn with its triangles.
+    draw(rows, onSurface && (faces || sides));
+    draw(edges, !onSurface && sides);
+    draw(triangles, !onSurface && faces);
     this.requestRender();
   }
 
@@ -158,18 +201,25 @@ export class ShapeView {
   }
 
   requestRender(): void {
+    if (this.lost || !this.compiled) return;
     this.renderRequest ||= requestAnimationFrame(() => {
       this.renderRequest = 0;
-      const distance = this.camera.position.distanceTo(this.controls.target);
-      this.materials.shared.uDistance.value = distance;
-      this.renderer.render(this.scene, this.camera);
-      const seen = 2 * distance * Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
-      if (this.frame) this.onView(seen / this.container.clientHeight / this.frame.scale);
+      this.pace.whenFree(() => this.render());
     });
+  }
+
+  private render(): void {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.materials.shared.uDistance.value = distance;
+    this.renderer.render(this.scene, this.camera);
+    this.pace.submitted();
+    const seen = 2 * distance * Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
+    if (this.frame) this.onView(seen / this.container.clientHeight / this.frame.scale);
   }
 
   dispose(): void {
     cancelAnimationFrame(this.renderRequest);
+    this.pace.dispose();
     this.resizing.disconnect();
     this.clear();
     this.controls.dispose();
@@ -191,7 +241,7 @@ export class ShapeView {
   private clear(): void {
     if (this.layers) for (const layer of Object.values(this.layers)) layer.dispose();
     this.witnesses?.geometry.dispose();
-    this.frame?.texture.dispose();
+    this.positions?.dispose();
     this.scene.clear();
     this.layers = undefined;
     this.witnesses = undefined;
