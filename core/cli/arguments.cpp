@@ -93,7 +93,7 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
                    "Stop once epsilon is at most this, in input units; noise: at the median distance of a point to its "
                    "nearest other one");
     app.add_option("--memory", raw.megabytes,
-                   "Most memory to take, in MB; the run stops there [half of the machine's]");
+                   "Most memory to take, in MB; the run stops there [four fifths of the machine's]");
     app.add_option("--rho", run.options.rho, "Surface: drop triangles of a larger radius-edge ratio [off]");
     app.add_option("--field", run.options.field, "Family witness: Betti numbers over Z/p for this prime p")
         ->capture_default_str();

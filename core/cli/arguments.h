@@ -21,7 +21,7 @@ struct RunArguments {
     std::string plateaus;
     std::string mesh;
     std::optional<Step> at;                     ///< step of the mesh
-    std::optional<std::uint64_t> memory_limit;  ///< bytes; none: half of the machine's
+    std::optional<std::uint64_t> memory_limit;  ///< bytes; none: four fifths of the machine's
     bool hash = false;
     bool progress = false;  ///< also where standard error is no terminal
 };

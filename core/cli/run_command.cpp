@@ -68,13 +68,12 @@ std::optional<Error> write_outputs(const RunArguments& arguments, const Session&
     return std::nullopt;
 }
 
-/// Bytes that a run may take on this machine: half of its memory, for what the run counts takes up to half as much
-/// again while its tables grow.
+/// Bytes that a run may take on this machine: four fifths of its memory.
 std::uint64_t usable_memory() {
     const long pages = sysconf(_SC_PHYS_PAGES);
     const long page_size = sysconf(_SC_PAGESIZE);
     if (pages <= 0 || page_size <= 0) return RunOptions{}.memory_limit;
-    return static_cast<std::uint64_t>(pages) / 2 * static_cast<std::uint64_t>(page_size);
+    return static_cast<std::uint64_t>(pages) / 5 * 4 * static_cast<std::uint64_t>(page_size);
 }
 
 /// A cloud in a plane or on a line is computed as such, and the user should know.

@@ -53,7 +53,7 @@ public:
     const Timeline& timeline() const { return timeline_; }
     const LandmarkLists& lists() const { return lists_; }
     std::uint64_t hash() const { return hash_.value(); }
-    /// Bytes held by the cloud and everything that is known about it.
+    /// Bytes of the large tables.
     std::uint64_t memory() const;
 
 private:

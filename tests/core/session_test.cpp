@@ -67,7 +67,7 @@ TEST(Session, RefusesPointsThatAloneWillNotFitAndSaysHowMuchTheyTake) {
     const auto session = open(shape("torus", 20000), [](RunOptions& o) { o.memory_limit = 1 << 20; });
     ASSERT_FALSE(session);
     EXPECT_EQ(session.error().code, ErrorCode::OutOfMemory);
-    EXPECT_NE(session.error().message.find("about 6 MB"), std::string::npos) << session.error().message;
+    EXPECT_NE(session.error().message.find("about 9 MB"), std::string::npos) << session.error().message;
 }
 
 TEST(Session, GoesAsFarAsTheMemoryReaches) {

@@ -203,7 +203,7 @@ test('a scan that does not fit is opened, says how far it will go, and keeps wha
 }) => {
   test.setTimeout(FULL ? 3_000_000 : 300_000);
   const size = FULL ? 1_000_000 : 20_000;
-  const [megabytes, words] = FULL ? [768, '768 MB'] : [40, '40 MB'];
+  const [megabytes, words] = FULL ? [1536, '1.5 GB'] : [40, '40 MB'];
   await page.goto(`./?sample=none&memory=${megabytes}`);
   const { read, drawn } = await dropScan(page, torusFile(size));
   console.log(

@@ -94,4 +94,23 @@ describe('cards', () => {
     const plateaus = plateausOf([{ steps: [1, 2], epsilon: [1, 1], ratio: 1.02, ...odd }]);
     expect(new CardStack(3).ranked(plateaus)).toEqual([]);
   });
+
+  test('are the same for a run that grows as for all of it at once', () => {
+    let seed = 7;
+    const random = (below: number): number => (seed = (seed * 16807) % 2147483647) % below;
+    const list = Array.from({ length: 400 }, (_, i) => ({
+      steps: [i + 1, i + 1] as const,
+      epsilon: [Math.exp(-i / 50), Math.exp(-i / 50)] as const,
+      ratio: Math.exp(1 / 50),
+      family: 1 + (random(9) === 0 ? 1 : 0),
+      betti: [1, random(3) === 0 ? random(3) : 1, 0],
+    }));
+    const growing = new CardStack(3);
+    for (let count = 1; count <= list.length; count += 1 + random(7)) {
+      const soFar = plateausOf(list.slice(0, count));
+      // The last one can still become longer, or be joined otherwise than it looks now.
+      expect(growing.joined(soFar)).toEqual(new CardStack(3).joined(soFar));
+    }
+    expect(growing.joined(plateausOf(list)).some(({ runs }) => runs > 3)).toBe(true);
+  });
 });

@@ -64,8 +64,8 @@ export function durationInWords(seconds: number): string {
 export function memoryInWords(bytes: number): string {
   const megabytes = bytes / 2 ** 20;
   return megabytes < 1000
-    ? `${Math.max(1, Math.round(megabytes))} MB`
-    : `${(megabytes / 1024).toFixed(1)} GB`;
+    ? `${Math.max(1, Math.round(megabytes))}\u00a0MB`
+    : `${(megabytes / 1024).toFixed(1)}\u00a0GB`;
 }
 
 /** "computed 1,234 of 100,000", and for a scan what memory and time it takes. */
