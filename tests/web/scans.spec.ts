@@ -73,6 +73,7 @@ test.beforeEach(async ({ page }) => {
       name: 'createBuffer' | 'bufferData' | 'bufferSubData',
       see: (words: unknown[]) => void,
     ) => {
+      // eslint-disable-next-line @typescript-eslint/unbound-method -- applied to its object below
       const original = prototype[name] as (...words: unknown[]) => unknown;
       Object.defineProperty(prototype, name, {
         value(this: WebGL2RenderingContext, ...words: unknown[]) {
