@@ -78,7 +78,8 @@ export function progressInWords(record: RunRecord, rate: number | undefined): st
       ? `${memoryInWords(record.memoryBytes)} in use of about ${needed}`
       : `about ${needed} needed`,
   );
-  if (rate !== undefined && rate > 0) {
+  // The first landmarks change the lists of all points and say nothing of the pace of later ones.
+  if (rate !== undefined && rate > 0 && record.stepCount >= record.frame.count / 100) {
     parts.push(`${durationInWords((expectedEnd(record) - record.stepCount) / rate)} left`);
   }
   return parts.join(' · ');

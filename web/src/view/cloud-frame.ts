@@ -3,7 +3,7 @@ import { FRAME_WIDTH } from '../worker/frame.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
 
 /** The points of a frame as a texture of positions. */
-export function frameTexture({ positions }: CloudFrame): DataTexture {
+export function frameTexture({ positions }: Pick<CloudFrame, 'positions'>): DataTexture {
   const rows = positions.length / (4 * FRAME_WIDTH);
   const texture = new DataTexture(positions, FRAME_WIDTH, rows, RGBAFormat, FloatType);
   texture.minFilter = texture.magFilter = NearestFilter;

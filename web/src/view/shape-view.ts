@@ -11,6 +11,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { RunRecord } from '../model/record.ts';
+import { FRAME_WIDTH } from '../worker/frame.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
 import { distanceFor, frameTexture } from './cloud-frame.ts';
 import { GpuPace } from './gpu-pace.ts';
@@ -22,6 +23,9 @@ const FIELD_OF_VIEW = 32;
 const FILL = 0.86;
 /** A landmark is drawn this large compared to ε: dots that touch no neighbor. */
 const LANDMARK_SHARE = 0.3;
+
+/** So long the first picture of a cloud waits for its first landmarks: a slow card would draw all points twice. */
+const HOLD_MS = 400;
 
 /** What of the shape is drawn. */
 export interface ShownLayers {
@@ -56,6 +60,7 @@ export class ShapeView {
   private readonly pace: GpuPace;
   private lost = false;
   private compiled = false;
+  private held: ReturnType<typeof setTimeout> | undefined;
   private shown: ShownLayers = { witnesses: true, landmarks: true, edges: true, faces: true };
 
   /**
@@ -99,8 +104,12 @@ export class ShapeView {
     for (const material of [witness, landmark]) all.add(new Points(geometry, material));
     for (const object of all.children) object.frustumCulled = false;
     await this.renderer.compileAsync(all, this.camera);
-    // Draws nothing, but asks the card about each program now, while it has nothing else to do.
+    // Draws nothing, but asks the card about programs and textures now, while it has nothing else to do: later each
+    // question would wait until all is drawn that was asked for before.
+    const texture = frameTexture({ positions: new Float32Array(4 * FRAME_WIDTH) });
+    this.renderer.initTexture(texture);
     this.renderer.render(all, this.camera);
+    texture.dispose();
     geometry.dispose();
     this.compiled = true;
     this.requestRender();
@@ -133,7 +142,14 @@ export class ShapeView {
     });
     this.witnesses.renderOrder = 4;
     this.scene.add(this.witnesses);
+    this.held = setTimeout(() => this.release(), HOLD_MS);
     this.fit();
+  }
+
+  private release(): void {
+    clearTimeout(this.held);
+    this.held = undefined;
+    this.requestRender();
   }
 
   /** Takes over what the record has gained. */
@@ -162,7 +178,7 @@ export class ShapeView {
     draw(rows, onSurface && (faces || sides));
     draw(edges, !onSurface && sides);
     draw(triangles, !onSurface && faces);
-    this.requestRender();
+    this.release();
   }
 
   setLayers(shown: ShownLayers): void {
@@ -201,7 +217,7 @@ export class ShapeView {
   }
 
   requestRender(): void {
-    if (this.lost || !this.compiled) return;
+    if (this.lost || !this.compiled || this.held !== undefined) return;
     this.renderRequest ||= requestAnimationFrame(() => {
       this.renderRequest = 0;
       this.pace.whenFree(() => this.render());
@@ -239,6 +255,8 @@ export class ShapeView {
   }
 
   private clear(): void {
+    clearTimeout(this.held);
+    this.held = undefined;
     if (this.layers) for (const layer of Object.values(this.layers)) layer.dispose();
     this.witnesses?.geometry.dispose();
     this.positions?.dispose();
