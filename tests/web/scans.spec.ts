@@ -155,7 +155,7 @@ test('a scan is drawn at once, stops at its noise, goes on, and is scrubbed with
     `${size} points: read in ${Math.round(read)} ms, first landmarks after ${Math.round(drawn)} ms`,
   );
   const computing = page.locator('#computing');
-  await expect(computing).toContainText(/\d+\sMB in use of about \d+\sMB/);
+  await expect(computing).toContainText(/\d+\sMB in use of about [\d.]+\s[MG]B/);
   const scan = page.locator('#scan');
   await expect(scan).toContainText('Stops at the noise, ε = 0.0');
   await ended(page, 'finished');
