@@ -135,7 +135,10 @@ const seenBy = (page: Page): Promise<Seen> => page.evaluate(() => window.seen);
 
 function tellTasks(what: string, { longTasks }: Seen): void {
   const longest = Math.max(0, ...longTasks.map(([, duration]) => duration));
-  console.log(`${what}: ${longTasks.length} tasks over 50 ms, the longest ${Math.round(longest)} ms`);
+  const all = longTasks.map(([at, duration]) => `${Math.round(duration)} at ${Math.round(at / 100) / 10} s`);
+  console.log(
+    `${what}: ${all.length} tasks over 50 ms, the longest ${Math.round(longest)} ms (${all.join(', ')})`,
+  );
 }
 
 async function ended(page: Page, runState: string): Promise<void> {
