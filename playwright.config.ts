@@ -20,6 +20,8 @@ export default defineConfig({
     headless: true,
     viewport: { width: 760, height: 560 },
     acceptDownloads: true,
+    // Each test would keep the whole page for a later visit; the tests of that visit allow it.
+    serviceWorkers: 'block',
     launchOptions: {
       executablePath: '/usr/bin/chromium',
       args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],

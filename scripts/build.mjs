@@ -5,6 +5,7 @@ import { availableParallelism, totalmem } from 'node:os';
 import { dirname, join } from 'node:path';
 import { Failure, isScript, main, root, run } from './lib/run.mjs';
 import { writeLicencesAndSource } from './lib/licences.mjs';
+import { writeServiceWorker } from './lib/offline.mjs';
 import { setup } from './setup.mjs';
 
 /** Compile jobs: one translation unit with CGAL takes well over a gigabyte. */
@@ -58,6 +59,7 @@ export async function buildWasm({ checks = false } = {}) {
 export async function buildWeb() {
   await run('vite', ['build', 'web']);
   await writeLicencesAndSource(join(root, 'web', 'dist'));
+  writeServiceWorker(join(root, 'web', 'dist'));
   writeStamp('web');
 }
 

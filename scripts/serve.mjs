@@ -1,10 +1,12 @@
 // A small static server for the built page: node scripts/serve.mjs [folder] [--port N]
 // With --port it takes exactly that port; without, 4173 or the next free one. Local only, read only.
 import { createReadStream } from 'node:fs';
-import { realpath, stat } from 'node:fs/promises';
+import { readFile, realpath, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, resolve, sep } from 'node:path';
 import { pipeline } from 'node:stream/promises';
+import { promisify } from 'node:util';
+import { gzip } from 'node:zlib';
 import { Failure, isScript, main, root } from './lib/run.mjs';
 
 export const defaultPort = 4173;
@@ -70,6 +72,26 @@ async function fileFor(folder, url) {
   }
 }
 
+const compressible = new Set(['.css', '.html', '.js', '.json', '.mjs', '.svg', '.txt', '.wasm']);
+
+function takesGzip(request) {
+  const accepted = String(request.headers['accept-encoding'] ?? '');
+  return /(^|,)\s*gzip\s*(,|;\s*q=(?!0(\.0*)?\s*(,|$))|$)/.test(accepted);
+}
+
+const gzipped = promisify(gzip);
+/** file -> the compressed body and the tag of the file that it was made of. */
+const bodies = new Map();
+
+/** The compressed file; made once for each of its states. */
+async function zipped(file, etag) {
+  const known = bodies.get(file);
+  if (known?.etag === etag) return known.body;
+  const body = await gzipped(await readFile(file), { level: 9 });
+  bodies.set(file, { etag, body });
+  return body;
+}
+
 async function answer(folder, request, response) {
   if (request.method !== 'GET' && request.method !== 'HEAD') {
     response.writeHead(405, { ...headers, Allow: 'GET, HEAD' }).end();
@@ -81,13 +103,21 @@ async function answer(folder, request, response) {
     return;
   }
   const { file, info } = found;
-  const etag = `"${info.size.toString(16)}-${Math.round(info.mtimeMs).toString(16)}"`;
-  const about = { ...headers, ETag: etag, 'Cache-Control': 'no-cache' };
+  const extension = extname(file).toLowerCase();
+  const zip = compressible.has(extension) && takesGzip(request);
+  const etag = `"${info.size.toString(16)}-${Math.round(info.mtimeMs).toString(16)}${zip ? '-gz' : ''}"`;
+  const about = { ...headers, ETag: etag, 'Cache-Control': 'no-cache', Vary: 'Accept-Encoding' };
   if (request.headers['if-none-match'] === etag) {
     response.writeHead(304, about).end();
     return;
   }
-  const type = types[extname(file).toLowerCase()] ?? 'application/octet-stream';
+  const type = types[extension] ?? 'application/octet-stream';
+  if (zip) {
+    const body = await zipped(file, etag);
+    const more = { 'Content-Type': type, 'Content-Encoding': 'gzip', 'Content-Length': body.length };
+    response.writeHead(200, { ...about, ...more }).end(request.method === 'HEAD' ? undefined : body);
+    return;
+  }
   response.writeHead(200, { ...about, 'Content-Type': type, 'Content-Length': info.size });
   if (request.method === 'HEAD') response.end();
   else await pipeline(createReadStream(file), response);

@@ -9,6 +9,7 @@ EMSCRIPTEN_BINDINGS(plateau) {
         .constructor<const emscripten::val&, const emscripten::val&>()
         .function("open", &plateau::Run::open)
         .function("run", &plateau::Run::run)
+        .function("runPastNoise", &plateau::Run::run_past_noise)
         .function("delta", &plateau::Run::delta)
         .function("plateaus", &plateau::Run::plateaus)
         .function("exportFile", &plateau::Run::export_file)

@@ -83,6 +83,7 @@ Step delta_end(const Timeline& timeline, Step done, std::uint32_t max_simplices)
     const auto born_by = [&](Step step) {
         std::uint64_t born = step;
         for (int dim = 1; dim <= 2; ++dim) born += timeline.table(dim).first_of_step[step + 1];
+        if (!timeline.surface.empty()) born += timeline.first_row_of_step[step + 1];
         return born;
     };
     const std::uint64_t limit = born_by(done) + max_simplices;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "cloud/samples.h"
+#include "io/family_name.h"
 
 namespace plateau::marshal {
 
@@ -13,17 +13,11 @@ using emscripten::val;
 
 namespace {
 
-constexpr const char* kFamilyNames[] = {"witness", "delaunay", "surface", "auto"};
-
 Error invalid(std::string message) {
     return {ErrorCode::InvalidOption, std::move(message)};
 }
 
 }  // namespace
-
-std::string family_name(Family family) {
-    return kFamilyNames[static_cast<std::size_t>(family)];
-}
 
 bool given(const val& value) {
     return !value.isUndefined() && !value.isNull();
@@ -53,11 +47,10 @@ Result<RunOptions> run_options_of(const val& source) {
     if (!given(source)) return options;
     if (const val family = source["family"]; given(family)) {
         const auto name = family.as<std::string>();
-        const auto* found = std::find(std::begin(kFamilyNames), std::end(kFamilyNames), name);
-        if (found == std::end(kFamilyNames)) {
+        options.family = family_named(name);
+        if (!options.family) {
             return invalid("There is no family \"" + name + "\"; take witness, delaunay, surface or auto.");
         }
-        options.family = static_cast<Family>(found - std::begin(kFamilyNames));
     }
     if (const val nu = source["nu"]; given(nu)) {
         auto entries = counts_of(nu, "Each entry of nu");
@@ -75,6 +68,17 @@ Result<RunOptions> run_options_of(const val& source) {
         options.max_steps = count.value();
     }
     if (const val epsilon = source["untilEpsilon"]; given(epsilon)) options.until_epsilon = epsilon.as<double>();
+    if (const val from = source["noiseStopFrom"]; given(from)) {
+        auto count = count_of(from, "The size from which a cloud ends at its noise");
+        if (!count) return count.error();
+        options.noise_stop_from = count.value();
+    }
+    if (const val bytes = source["memoryLimit"]; given(bytes)) {
+        const double limit = bytes.as<double>();
+        // What the module can address is the most that can be asked for; a part of it is needed for growing.
+        if (!(limit >= 1)) return invalid("The memory must be a positive number of bytes.");
+        options.memory_limit = std::min(options.memory_limit, static_cast<std::uint64_t>(std::min(limit, 1e15)));
+    }
     if (const val rho = source["rho"]; given(rho)) options.rho = rho.as<double>();
     return options;
 }

@@ -25,7 +25,4 @@ Result<RunOptions> run_options_of(const emscripten::val& source);
 /// The cloud of a source of kind 'sample'.
 Result<PointCloud> sample_of(const emscripten::val& source);
 
-/// 'witness', 'delaunay', 'surface', 'auto'.
-std::string family_name(Family family);
-
 }  // namespace plateau::marshal

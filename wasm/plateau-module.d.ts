@@ -7,7 +7,7 @@ import type {
   Delta,
   ExportFormat,
   Failure,
-  Opened,
+  OpenedRun,
   Plateaus,
   RunOptions,
   RunState,
@@ -31,9 +31,11 @@ export interface ModuleRun {
   /** Reads on for about `budgetMs`; call again while it says 'reading'. */
   open(
     budgetMs: number,
-  ): { readonly kind: 'reading' } | { readonly kind: 'opened'; readonly opened: Opened } | Failed;
+  ): { readonly kind: 'reading' } | { readonly kind: 'opened'; readonly opened: OpenedRun } | Failed;
   /** Whole steps until the budget (milliseconds, steps) is spent; at least one unit of work. */
   run(budgetMs: number, maxSteps: number): Progress | Failed;
+  /** Lifts the stop at the noise: what ended there goes on. */
+  runPastNoise(): { readonly kind: 'lifted' } | Failed;
   /** What was appended since the last call, at most about `maxSimplices` simplices. */
   delta(maxSimplices: number): Delta | Failed;
   plateaus(): Plateaus | Failed;

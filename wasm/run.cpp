@@ -1,10 +1,12 @@
 #include "run.h"
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
 #include "cloud/samples.h"
 #include "delta.h"
+#include "io/family_name.h"
 #include "io/writers.h"
 #include "marshal.h"
 #include "options.h"
@@ -89,11 +91,15 @@ val Run::opened_with(PointCloud cloud, const std::vector<std::string>& warnings)
     val opened = val::object();
     opened.set("dimension", points.dimension);
     opened.set("coordinates", copied(std::span<const double>(points.coordinates)));
-    opened.set("family", marshal::family_name(family));
+    opened.set("family", std::string(family_name(family)));
     opened.set("nu", val::array(options.nu));
-    opened.set("stepsPlanned", session_->progress().steps_planned);
-    opened.set("estimatedBytes", static_cast<double>(estimated_memory(points.size(), points.dimension, family)));
+    const Step planned = session_->progress().steps_planned;
+    const std::uint64_t needed = estimated_memory(points.size(), planned, points.dimension, family);
+    const Step affordable = affordable_landmarks(points.size(), points.dimension, family, options.memory_limit);
+    opened.set("stepsPlanned", planned);
+    opened.set("estimatedBytes", static_cast<double>(needed));
     opened.set("memoryLimitBytes", static_cast<double>(options.memory_limit));
+    opened.set("stepsAffordable", std::min(planned, affordable));
     opened.set("warnings", val::array(warnings));
     val answer = val::object();
     answer.set("kind", std::string("opened"));
@@ -116,6 +122,16 @@ val Run::run(double budget_ms, std::uint32_t max_steps) {
     });
 }
 
+val Run::run_past_noise() {
+    return marshal::guarded([&] {
+        if (!session_) return marshal::failed(not_open());
+        session_->run_past_noise();
+        val answer = val::object();
+        answer.set("kind", std::string("lifted"));
+        return answer;
+    });
+}
+
 val Run::delta(std::uint32_t max_simplices) {
     return marshal::guarded([&] {
         if (!session_) return marshal::failed(not_open());
@@ -130,6 +146,9 @@ val Run::delta(std::uint32_t max_simplices) {
         delta.set("state", std::string(kStateNames[static_cast<std::size_t>(state)]));
         if (complete && progress.stopped) delta.set("stopped", marshal::failure(*progress.stopped));
         delta.set("hash", marshal::hex(session_->hash()));
+        delta.set("memoryBytes", static_cast<double>(progress.memory));
+        delta.set("noise", progress.noise);
+        delta.set("endedAtNoise", complete && progress.ended_at_noise);
         marshal::add_record(delta, timeline, done, end);
         handed_out_ = end;
         return delta;

@@ -24,6 +24,8 @@ public:
     /// Computes for about `budget_ms` or `max_steps` steps, whichever ends first, at least one unit: {kind:
     /// 'progress'}.
     emscripten::val run(double budget_ms, std::uint32_t max_steps);
+    /// Lifts the stop at the noise; run() goes on after it: {kind: 'lifted'}.
+    emscripten::val run_past_noise();
     /// What was appended since the last call: whole steps with about `max_simplices` simplices at most, at least one
     /// step if there is one. Its state is final only once everything was handed out.
     emscripten::val delta(std::uint32_t max_simplices);

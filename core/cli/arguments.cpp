@@ -15,6 +15,8 @@ struct RawText {
     std::string family;
     std::string nu;
     std::string columns;
+    std::string until;
+    std::string megabytes;
 };
 
 Error invalid(std::string message) {
@@ -57,6 +59,22 @@ std::optional<Error> complete(RunArguments& run, const RawText& raw) {
         if (!columns) return columns.error();
         run.columns = std::move(columns).value();
     }
+    if (raw.until == "noise") {
+        run.options.noise_stop_from = 0;
+    } else if (!raw.until.empty()) {
+        const ParsedField until = parse_field(raw.until);
+        if (until.kind != FieldKind::Number || until.value < 0) {
+            return invalid("--until takes an epsilon of at least 0, or noise; got " + in_quotes(raw.until) + ".");
+        }
+        run.options.until_epsilon = until.value;
+    }
+    if (!raw.megabytes.empty()) {
+        const auto megabytes = parse_count(raw.megabytes);
+        if (!megabytes || *megabytes == 0 || *megabytes >> 43 != 0) {
+            return invalid("--memory takes a whole number of megabytes; got " + in_quotes(raw.megabytes) + ".");
+        }
+        run.memory_limit = *megabytes << 20;
+    }
     if ((run.betti == "-") + (run.plateaus == "-") + (run.mesh == "-") > 1) {
         return invalid("Only one output can go to standard output.");
     }
@@ -71,7 +89,11 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
     app.add_option("--nu", raw.nu, "Ranks of the witnesses by dimension, such as 1,6,6,4 [as the family]");
     app.add_option("--first", run.options.first, "Input index of the first landmark, from 0")->capture_default_str();
     app.add_option("--steps", run.options.max_steps, "Most landmarks to insert [all]");
-    app.add_option("--until", run.options.until_epsilon, "Stop once epsilon is at most this, in input units");
+    app.add_option("--until", raw.until,
+                   "Stop once epsilon is at most this, in input units; noise: at the median distance of a point to its "
+                   "nearest other one");
+    app.add_option("--memory", raw.megabytes,
+                   "Most memory to take, in MB; the run stops there [four fifths of the machine's]");
     app.add_option("--rho", run.options.rho, "Surface: drop triangles of a larger radius-edge ratio [off]");
     app.add_option("--field", run.options.field, "Family witness: Betti numbers over Z/p for this prime p")
         ->capture_default_str();

@@ -20,7 +20,8 @@ struct RunArguments {
     std::string betti;                   ///< a path, "-" for standard output, empty for none; likewise below
     std::string plateaus;
     std::string mesh;
-    std::optional<Step> at;  ///< step of the mesh
+    std::optional<Step> at;                     ///< step of the mesh
+    std::optional<std::uint64_t> memory_limit;  ///< bytes; none: four fifths of the machine's
     bool hash = false;
     bool progress = false;  ///< also where standard error is no terminal
 };

@@ -107,7 +107,7 @@ Result<int> run(const RunArguments& arguments) {
     std::vector<std::string> notes = std::move(read.value().warnings);
 
     RunOptions options = arguments.options;
-    options.memory_limit = usable_memory();
+    options.memory_limit = arguments.memory_limit.value_or(usable_memory());
     auto opened = Session::open(std::move(read.value().cloud), options);
     if (!opened) return opened.error();
     Session session = std::move(opened).value();
@@ -126,7 +126,12 @@ Result<int> run(const RunArguments& arguments) {
         return std::move(*error);
     }
     if (const auto note = degeneracy(session.timeline())) notes.push_back(*note);
-    if (progress.stopped) notes.push_back("Stopped " + place + ": " + progress.stopped->message);
+    if (progress.stopped) notes.push_back(progress.stopped->message);
+    if (progress.ended_at_noise) {
+        std::array<char, 64> text{};
+        std::snprintf(text.data(), text.size(), ": epsilon has fallen to the noise, %.3g.", progress.noise);
+        notes.push_back("Stopped " + place + text.data());
+    }
     if (interrupted()) notes.push_back("Interrupted " + place + ".");
     report(notes);
     return interrupted() ? kInterrupted : kDone;

@@ -160,4 +160,26 @@ void LandmarkLists::visit_leaf(Node& node, const Point& p, std::uint32_t step) {
     }
 }
 
+double LandmarkLists::nearest_other_squared(WitnessId witness) const {
+    double nearest = kInfinity;
+    search(0, witness, nearest);
+    return nearest;
+}
+
+void LandmarkLists::search(std::uint32_t node_index, WitnessId witness, double& nearest) const {
+    const Node& node = nodes_[node_index];
+    const Point& p = points_[witness];
+    if (box_distance_squared(node.low, node.high, p) >= nearest) return;
+    if (node.right == 0) {
+        for (WitnessId other = node.begin; other < node.end; ++other) {
+            if (other != witness) nearest = std::min(nearest, point_distance_squared(points_[other], p));
+        }
+        return;
+    }
+    // The half that holds the witness first: it bounds the search in the other.
+    const bool in_right = witness >= nodes_[node.right].begin;
+    search(in_right ? node.right : node_index + 1, witness, nearest);
+    search(in_right ? node_index + 1 : node.right, witness, nearest);
+}
+
 }  // namespace plateau

@@ -47,6 +47,10 @@ public:
     /// Its squared distance: epsilon squared.
     double farthest_distance_squared() const { return nodes_.front().largest_first; }
 
+    /// Squared distance of a witness to the nearest other witness, landmark or not; infinity where there is none. Once
+    /// prepared. Cost: O(log n) on the average.
+    double nearest_other_squared(WitnessId witness) const;
+
     std::uint32_t kappa() const { return kappa_; }
     std::uint32_t size() const { return static_cast<std::uint32_t>(input_index_.size()); }
     std::uint32_t input_index(WitnessId witness) const { return input_index_[witness]; }
@@ -74,6 +78,7 @@ private:
 
     bool visit(std::uint32_t node_index, const Point& p, std::uint32_t step);
     void visit_leaf(Node& node, const Point& p, std::uint32_t step);
+    void search(std::uint32_t node_index, WitnessId witness, double& nearest) const;
     void split(std::uint32_t begin, std::uint32_t end, std::uint32_t axis);
 
     struct PendingRange {

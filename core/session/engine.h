@@ -45,6 +45,8 @@ public:
     const Timeline& timeline() const { return timeline_; }
     /// Of all steps so far. Cost: the records since the last call.
     std::uint64_t hash();
+    const LandmarkLists& lists() const { return lists_; }
+    /// Bytes of the large tables.
     std::uint64_t memory() const;
 
 private:

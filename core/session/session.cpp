@@ -1,9 +1,11 @@
 #include "session/session.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 
+#include "landmarks/noise_scale.h"
 #include "session/engine.h"
 #include "session/options.h"
 
@@ -11,14 +13,19 @@ namespace plateau {
 
 namespace {
 
-std::string in_megabytes(std::uint64_t bytes) {
-    const std::string digits = std::to_string((bytes + (1u << 20) - 1) >> 20);
-    std::string grouped;
+/// 12345 as "12,345".
+std::string grouped(std::uint64_t number) {
+    const std::string digits = std::to_string(number);
+    std::string text;
     for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) grouped += ',';
-        grouped += digits[i];
+        if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+        text += digits[i];
     }
-    return grouped + " MB";
+    return text;
+}
+
+std::string in_megabytes(std::uint64_t bytes) {
+    return grouped((bytes + (1u << 20) - 1) >> 20) + " MB";
 }
 
 }  // namespace
@@ -27,7 +34,9 @@ struct Session::State {
     State(PointCloud points, RunOptions run_options)
         : cloud(std::move(points)),
           options(std::move(run_options)),
-          engine(cloud, engine_options(options, cloud.dimension)) {}
+          engine(cloud, engine_options(options, cloud.dimension)) {
+        if (cloud.size() >= options.noise_stop_from) noise_scale.emplace(engine.lists());
+    }
 
     PointCloud cloud;
     RunOptions options;
@@ -35,9 +44,21 @@ struct Session::State {
     bool prepared = false;
     RunState end = RunState::Running;  // Finished or Stopped once no more is to be inserted
     std::optional<Error> stopped;
+    std::optional<NoiseScale> noise_scale;  // until the noise is known
+    double noise = 0;                       // where the run ends by itself; 0: nowhere
+    bool ended_at_noise = false;
 
     Step steps() const { return engine.timeline().step_count; }
+    // The first landmarks need not wait for it.
+    bool noise_is_due() const {
+        return noise_scale && steps() >= std::min(1000u, NoiseScale::safe_landmarks(cloud.size()));
+    }
+    // Bytes taken from the system: tables that grew leave holes behind, and what is small is not counted. Measured:
+    // 1.3 to 1.5 times the tables natively, 1.6 in the module.
+    std::uint64_t memory() const { return engine.memory() / 5 * 8; }
+    void measure_noise(const Deadline& deadline);
     void insert_next();
+    std::string why_full() const;
 };
 
 Result<Session> Session::open(PointCloud cloud, const RunOptions& options) {
@@ -46,12 +67,11 @@ Result<Session> Session::open(PointCloud cloud, const RunOptions& options) {
     PointCloud points = std::move(checked).value();
     auto complete = resolved(options, points);
     if (!complete) return complete.error();
-    const std::uint64_t needed = estimated_memory(points.size(), points.dimension, *complete.value().family);
+    const std::uint64_t needed = estimated_memory(points.size(), 1, points.dimension, *complete.value().family);
     if (needed > complete.value().memory_limit) {
-        return Error{ErrorCode::OutOfMemory, std::to_string(points.size()) + " points need about " +
-                                                 in_megabytes(needed) + ", but only " +
-                                                 in_megabytes(complete.value().memory_limit) +
-                                                 " may be used: take a sample of the points, or another family."};
+        return Error{ErrorCode::OutOfMemory,
+                     grouped(points.size()) + " points alone need about " + in_megabytes(needed) + ", but only " +
+                         in_megabytes(complete.value().memory_limit) + " may be used: take a sample of the points."};
     }
     return Session(std::make_unique<State>(std::move(points), std::move(complete).value()));
 }
@@ -69,9 +89,14 @@ Progress Session::run(const Budget& budget) {
 
     std::uint32_t inserted = 0;
     do {
-        if (s.end != RunState::Running || inserted == budget.steps) break;
-        s.insert_next();
-        ++inserted;
+        if (s.noise_is_due()) {
+            s.measure_noise(deadline);
+        } else if (s.end == RunState::Running && inserted < budget.steps) {
+            s.insert_next();
+            ++inserted;
+        } else {
+            break;
+        }
     } while (!deadline.passed());
     return progress();
 }
@@ -84,18 +109,41 @@ void Session::State::insert_next() {
         return;
     }
     const double epsilon_squared = engine.epsilon_squared();
+    const double epsilon = std::sqrt(epsilon_squared);
     const bool done = steps() == std::min(cloud.size(), options.max_steps) || epsilon_squared == 0 ||
-                      std::sqrt(epsilon_squared) <= options.until_epsilon;
-    if (done) {
+                      epsilon <= options.until_epsilon;
+    ended_at_noise = !done && epsilon <= noise;
+    if (done || ended_at_noise) {
         end = RunState::Finished;
-    } else if (engine.memory() > options.memory_limit) {
-        stopped = Error{ErrorCode::OutOfMemory,
-                        "Stopped after " + std::to_string(steps()) + " of " + std::to_string(cloud.size()) +
-                            " points: the run holds more than " + in_megabytes(options.memory_limit) +
-                            ". On a curve in space the Delaunay triangulation grows with the square of the number of "
-                            "landmarks. All steps so far are complete."};
+    } else if (memory() > options.memory_limit) {
+        stopped = Error{ErrorCode::OutOfMemory, why_full()};
         end = RunState::Stopped;
     }
+}
+
+void Session::State::measure_noise(const Deadline& deadline) {
+    if (!noise_scale->advance(deadline)) return;
+    noise = noise_scale->epsilon();
+    noise_scale.reset();
+}
+
+std::string Session::State::why_full() const {
+    std::string why = "Stopped after " + grouped(steps()) + " of " + grouped(cloud.size()) +
+                      " landmarks: the run holds " + in_megabytes(memory()) + ", all that it may take. ";
+    const std::uint32_t expected =
+        affordable_landmarks(cloud.size(), cloud.dimension, *options.family, options.memory_limit);
+    if (steps() < expected / 2) {
+        why += "On a curve in space the Delaunay triangulation grows with the square of the number of landmarks. ";
+    }
+    return why + "All steps so far are complete.";
+}
+
+void Session::run_past_noise() {
+    State& s = *state_;
+    s.noise_scale.reset();
+    s.noise = 0;
+    if (s.ended_at_noise) s.end = RunState::Running;
+    s.ended_at_noise = false;
 }
 
 Progress Session::progress() const {
@@ -106,6 +154,9 @@ Progress Session::progress() const {
     progress.steps_done = timeline.step_count;
     progress.steps_planned = std::min(s.cloud.size(), s.options.max_steps);
     progress.epsilon = timeline.step_count == 0 ? 0 : timeline.epsilon(timeline.step_count);
+    progress.noise = s.noise;
+    progress.ended_at_noise = progress.state == RunState::Finished && s.ended_at_noise;
+    progress.memory = s.memory();
     if (progress.state == RunState::Stopped) progress.stopped = s.stopped;
     return progress;
 }
@@ -123,13 +174,42 @@ std::uint64_t Session::hash() const {
     return state_->engine.hash();
 }
 
-std::uint64_t estimated_memory(std::uint32_t points, std::uint32_t dimension, Family family) {
-    // Peak bytes a point of whole processes, measured on tori of 20,000 and 100,000 points, the worst of the usual
-    // clouds (a uniform cube takes half), on squares for the plane.
-    std::uint64_t per_point = dimension == 2 ? 1200 : 10500;
-    if (family == Family::Auto || family == Family::Surface) per_point = 12000;
-    if (family == Family::Witness) per_point = 2500;
-    return points * per_point;
+namespace {
+
+/// Bytes, fitted to what runs over tori hold, the worst of the usual clouds, and over squares for the plane.
+struct MemoryShares {
+    std::uint64_t witness;   ///< a point, landmark or not: coordinates, tree, list
+    std::uint64_t doubling;  ///< a point, each time that the landmarks have doubled: its list has changed
+    std::uint64_t landmark;  ///< with its simplices and cells
+};
+
+MemoryShares shares_of(std::uint32_t dimension, Family family) {
+    if (family == Family::Witness) return {350, 18, 2900};
+    if (dimension == 2) return {300, 13, 1300};
+    if (family == Family::Delaunay) return {410, 26, 10900};
+    return {410, 26, 13100};
+}
+
+}  // namespace
+
+std::uint64_t estimated_memory(std::uint32_t points, std::uint32_t landmarks, std::uint32_t dimension, Family family) {
+    const MemoryShares shares = shares_of(dimension, family);
+    const auto doublings = static_cast<std::uint64_t>(std::bit_width(landmarks));
+    return points * (shares.witness + shares.doubling * doublings) + landmarks * shares.landmark;
+}
+
+std::uint32_t affordable_landmarks(std::uint32_t points, std::uint32_t dimension, Family family, std::uint64_t bytes) {
+    std::uint32_t low = 0;
+    std::uint32_t high = points;
+    while (low < high) {
+        const std::uint32_t middle = low + (high - low + 1) / 2;
+        if (estimated_memory(points, middle, dimension, family) <= bytes) {
+            low = middle;
+        } else {
+            high = middle - 1;
+        }
+    }
+    return low;
 }
 
 }  // namespace plateau

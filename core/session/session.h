@@ -21,7 +21,9 @@ struct RunOptions {
     double until_epsilon = 0;  ///< stop after the first step with epsilon <= this, input units
     double rho = 0;            ///< surface: drop triangles with radius-edge ratio above this; 0 = off
     std::uint32_t field = 2;   ///< a prime below 46341; matters for family witness
-    std::uint64_t memory_limit = std::uint64_t{3} << 30;  ///< bytes the run may take
+    std::uint64_t memory_limit = std::uint64_t{3} << 30;  ///< bytes the run may take; it stops when they are used up
+    /// A cloud of at least this many points ends where epsilon falls to its noise, see Progress::noise. Default: never.
+    std::uint32_t noise_stop_from = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// How much run() does before it returns. Budgets decide when to return, never what is computed.
@@ -42,6 +44,11 @@ struct Progress {
     Step steps_done = 0;
     Step steps_planned = 0;  ///< an upper bound: min(n, max_steps)
     double epsilon = 0;      ///< of the last complete step; 0 before the first
+    /// The noise at which the run ends by itself: the median distance of a witness to its nearest other one. 0: there
+    /// is no such stop, or it is not known yet; it is known before epsilon can fall to it.
+    double noise = 0;
+    bool ended_at_noise = false;  ///< Finished there; run_past_noise() goes on
+    std::uint64_t memory = 0;     ///< bytes that the run holds now
     std::optional<Error> stopped;
 };
 
@@ -49,7 +56,8 @@ struct Progress {
 class Session {
 public:
     /// Validates cloud and options. Errors: those of validated(), InvalidOption, UnsupportedDimension, OutOfMemory
-    /// when the estimate exceeds the limit (the sentence says how much it would take).
+    /// when not even the first landmarks fit (the sentence says how much it takes). A cloud whose last landmarks will
+    /// not fit is opened: see affordable_landmarks().
     static Result<Session> open(PointCloud cloud, const RunOptions& options);
 
     Session(Session&&) noexcept;
@@ -59,6 +67,9 @@ public:
     /// Works until the budget is spent: at least one slice of preparation or one whole step, with its Betti numbers.
     Progress run(const Budget& budget);
     Progress progress() const;
+    /// Lifts the stop at the noise: the same run goes on to its end, nothing is computed again. Without such a stop it
+    /// does nothing.
+    void run_past_noise();
 
     const PointCloud& cloud() const;
     const RunOptions& options() const;  ///< with the defaults filled in
@@ -73,7 +84,10 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Bytes that a run over n points is expected to take, without the Delaunay triangulation's worst case.
-std::uint64_t estimated_memory(std::uint32_t points, std::uint32_t dimension, Family family);
+/// Bytes that so many landmarks of n points are expected to take, without the Delaunay triangulation's worst case.
+std::uint64_t estimated_memory(std::uint32_t points, std::uint32_t landmarks, std::uint32_t dimension, Family family);
+
+/// How many landmarks of n points are expected to fit into so many bytes; at most n.
+std::uint32_t affordable_landmarks(std::uint32_t points, std::uint32_t dimension, Family family, std::uint64_t bytes);
 
 }  // namespace plateau

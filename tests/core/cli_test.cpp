@@ -196,6 +196,22 @@ TEST_F(Command, OptionsReachTheRun) {
               plateau({"run", "-", "--betti", "-"}, "0 0\n0 1\n1 0\n").output);
 }
 
+TEST_F(Command, StopsAtTheNoiseOrAtTheMemoryWithASentence) {
+    const std::string file = sample_file("torus", 900);
+    const Outcome noise = plateau({"run", file, "--until", "noise", "--betti", "-"});
+    EXPECT_EQ(noise.code, 0);
+    EXPECT_TRUE(contains(noise.error, "fallen to the noise, 0.0")) << noise.error;
+    const auto steps = std::count(noise.output.begin(), noise.output.end(), '\n') - 1;
+    EXPECT_GT(steps, 300);
+    EXPECT_LT(steps, 900);
+
+    const Outcome full = plateau({"run", file, "--memory", "2", "--betti", "-"});
+    EXPECT_EQ(full.code, 0) << "what was computed is written";
+    EXPECT_TRUE(contains(full.error, "all that it may take")) << full.error;
+    EXPECT_EQ(full.output, noise.output.substr(0, full.output.size())) << "the same steps";
+    EXPECT_GT(full.output.size(), 1000u);
+}
+
 TEST_F(Command, BadUsageIsOneLineAndExit2) {
     const std::string file = sample_file("torus", 100);
     refused({});
@@ -208,6 +224,9 @@ TEST_F(Command, BadUsageIsOneLineAndExit2) {
     refused({"run", file, "--steps", "0"});
     refused({"run", file, "--steps", "99999999999"});
     refused({"run", file, "--until", "-1"});
+    refused({"run", file, "--until", "noisy"});
+    refused({"run", file, "--memory", "0"});
+    refused({"run", file, "--memory", "much"});
     refused({"run", file, "--until", "nan"});
     refused({"run", file, "--rho", "-1"});
     refused({"run", file, "--first", "100"});

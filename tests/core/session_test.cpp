@@ -63,11 +63,43 @@ TEST(Session, RefusesOptionsOutOfRangeWithASentence) {
     EXPECT_EQ(flat.error().code, ErrorCode::InvalidOption);
 }
 
-TEST(Session, RefusesWhatWillNotFitAndSaysHowMuchItTakes) {
-    const auto session = open(shape("torus", 2000), [](RunOptions& o) { o.memory_limit = 1 << 20; });
+TEST(Session, RefusesPointsThatAloneWillNotFitAndSaysHowMuchTheyTake) {
+    const auto session = open(shape("torus", 20000), [](RunOptions& o) { o.memory_limit = 1 << 20; });
     ASSERT_FALSE(session);
     EXPECT_EQ(session.error().code, ErrorCode::OutOfMemory);
-    EXPECT_NE(session.error().message.find("about 23 MB"), std::string::npos) << session.error().message;
+    EXPECT_NE(session.error().message.find("about 9 MB"), std::string::npos) << session.error().message;
+}
+
+TEST(Session, GoesAsFarAsTheMemoryReaches) {
+    constexpr std::uint64_t kLimit = 8 << 20;
+    auto session = open(shape("torus", 4000), [](RunOptions& o) { o.memory_limit = kLimit; }).value();
+    const std::uint32_t expected = affordable_landmarks(4000, 3, Family::Auto, kLimit);
+    ASSERT_LT(expected, 4000u);
+    const Progress progress = session.run({});
+    ASSERT_EQ(progress.state, RunState::Stopped);
+    EXPECT_EQ(session.timeline().step_count, session.timeline().landmarks.size()) << "every step has its numbers";
+    EXPECT_GT(progress.memory, kLimit);
+    EXPECT_LT(progress.memory, 2 * kLimit) << "it stops as soon as the memory is used up";
+    EXPECT_GT(progress.steps_done, expected / 2);
+    EXPECT_LT(progress.steps_done, expected * 2);
+    EXPECT_NE(progress.stopped->message.find("of 4,000 landmarks"), std::string::npos) << progress.stopped->message;
+    EXPECT_EQ(progress.stopped->message.find("curve"), std::string::npos) << progress.stopped->message;
+}
+
+TEST(Session, EstimatesTheMemoryThatItHolds) {
+    for (const std::uint32_t size : {5000u, 20000u}) {
+        for (const Family family : {Family::Auto, Family::Delaunay}) {
+            auto session = open(shape("torus", size), [&](RunOptions& o) { o.family = family; }).value();
+            for (std::uint32_t steps = 500; steps <= 4000; steps *= 2) {
+                const Progress progress = session.run({.steps = steps - session.progress().steps_done});
+                const auto estimate = static_cast<double>(estimated_memory(size, steps, 3, family));
+                EXPECT_GT(estimate, 0.7 * static_cast<double>(progress.memory)) << size << " " << steps;
+                EXPECT_LT(estimate, 2 * static_cast<double>(progress.memory)) << size << " " << steps;
+            }
+        }
+    }
+    EXPECT_EQ(affordable_landmarks(1000, 3, Family::Auto, std::uint64_t{1} << 40), 1000u);
+    EXPECT_EQ(affordable_landmarks(1000, 3, Family::Auto, 1000), 0u);
 }
 
 // On a curve in space D(L) grows with the square of the landmarks, which no estimate by n foresees.

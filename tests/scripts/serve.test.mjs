@@ -89,6 +89,29 @@ test('HEAD has no body, other methods are refused, a known file is not sent twic
   assert.equal(again.status, 304);
 });
 
+test('what compresses is sent compressed to who takes it', async () => {
+  const text = '<!doctype html>' + 'plateau '.repeat(1000);
+  writeFileSync(join(folder, 'long.html'), text);
+  writeFileSync(join(folder, 'long.gz'), text);
+  const port = running.server.address().port;
+  const fetched = (path, accepted) =>
+    fetch(`http://127.0.0.1:${port}/${path}`, { headers: { 'Accept-Encoding': accepted } });
+  const zipped = await fetched('long.html', 'gzip, deflate');
+  assert.equal(zipped.headers.get('content-encoding'), 'gzip');
+  assert.equal(zipped.headers.get('vary'), 'Accept-Encoding');
+  assert.ok(Number(zipped.headers.get('content-length')) < 200);
+  assert.equal(await zipped.text(), text);
+  for (const accepted of ['identity', 'br', 'gzip;q=0', 'xgzip']) {
+    const plain = await fetched('long.html', accepted);
+    assert.equal(plain.headers.get('content-encoding'), null, accepted);
+    assert.notEqual(plain.headers.get('etag'), zipped.headers.get('etag'));
+    assert.equal(await plain.text(), text);
+  }
+  assert.equal((await fetched('long.gz', 'gzip')).headers.get('content-encoding'), null);
+  writeFileSync(join(folder, 'long.html'), text + 'new');
+  assert.equal(await (await fetched('long.html', 'gzip')).text(), text + 'new');
+});
+
 test('a port that is named and taken is refused with a sentence', async () => {
   const { port } = running.server.address();
   await assert.rejects(serve(folder, { port }), /is taken/);

@@ -13,6 +13,8 @@ const OPENED: Opened = {
   stepsPlanned: 10,
   estimatedBytes: 1,
   memoryLimitBytes: 2,
+  stepsAffordable: 10,
+  frame: { scale: 1, count: 10, positions: new Float32Array(), outline: new Float32Array() },
   warnings: [],
 };
 

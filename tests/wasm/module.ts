@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import createModule, { type Failed, type ModuleRun, type PlateauModule } from 'plateau-module';
-import type { CloudSource, Delta, Opened, RunOptions } from '../../web/src/worker/protocol.ts';
+import type { CloudSource, Delta, OpenedRun, RunOptions } from '../../web/src/worker/protocol.ts';
 
 const wasmFile = new URL('../../build/wasm/bin/plateau.wasm', import.meta.url);
 
@@ -15,7 +15,7 @@ export function expected<T extends object>(value: T | Failed): T {
   return value;
 }
 
-export function opened(run: ModuleRun): Opened {
+export function opened(run: ModuleRun): OpenedRun {
   for (;;) {
     const answer = expected(run.open(5));
     if (answer.kind === 'opened') return answer.opened;

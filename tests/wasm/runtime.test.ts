@@ -101,6 +101,41 @@ describe('the worker', () => {
     expect(answerTo(2).kind).toBe('closed');
   });
 
+  function delta(requestId: number) {
+    runtime.handle({ kind: 'fetchDelta', runId: 1, requestId });
+    const event = answerTo(requestId);
+    if (event.kind !== 'delta') throw new Error(event.kind);
+    return event.delta;
+  }
+
+  test('the first landmarks are not kept back until a block of them is full', () => {
+    open(1, 1, sample('torus', 20_000));
+    while (!events.some(({ kind }) => kind === 'opened')) slices(1);
+    let first = delta(100);
+    for (let id = 101; first.stepCount === 0; ++id) {
+      slices(1);
+      first = delta(id);
+    }
+    expect(first.stepCount).toBeLessThan(40);
+  });
+
+  test('a stop at the noise can be lifted', () => {
+    const source = sample('torus', 600);
+    runtime.handle({ kind: 'open', runId: 1, requestId: 1, source, options: { noiseStopFrom: 600 } });
+    slices();
+    let last = delta(1000);
+    for (let id = 1001; last.state === 'running'; ++id) last = delta(id);
+    expect(last).toMatchObject({ state: 'finished', endedAtNoise: true });
+    expect(last.noise).toBeGreaterThan(0);
+    expect(last.memoryBytes).toBeGreaterThan(100_000);
+    expect(last.stepCount).toBeLessThan(600);
+    runtime.handle({ kind: 'runPastNoise', runId: 1, requestId: 2000 });
+    expect(answerTo(2000).kind).toBe('lifted');
+    slices();
+    last = delta(2001);
+    expect(last).toMatchObject({ state: 'finished', endedAtNoise: false, stepCount: 600, noise: 0 });
+  });
+
   test('what it sends can be transferred as a whole', () => {
     open(1, 1);
     slices();

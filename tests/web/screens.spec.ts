@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import { drop, expect, root, test } from './page.ts';
+import { torusFile } from './scan-files.ts';
 
 /** Pictures of every state a visitor meets, for people to look at: build/screens. */
 const FOLDER = 'build/screens';
@@ -58,6 +59,29 @@ for (const [device, viewport] of Object.entries(SIZES)) {
       await take('empty');
     });
   }
+}
+
+/** The state of a scan: while it runs, and where it has ended. The largest size is for the full tests. */
+const SCAN = process.env['PLATEAU_FULL'] === '1' ? 100_000 : 20_000;
+for (const [device, viewport] of Object.entries(SIZES)) {
+  test(`screens of a scan: ${device}`, async ({ page }) => {
+    test.setTimeout(1_800_000);
+    await page.setViewportSize(viewport);
+    await page.goto('./?sample=none');
+    await page.getByLabel('Open point cloud').setInputFiles(torusFile(SCAN));
+    const take = async (name: string): Promise<void> => {
+      for (const colorScheme of ['light', 'dark'] as const) {
+        await page.emulateMedia({ colorScheme });
+        await drawn(page);
+        await page.screenshot({ path: `${FOLDER}/${device}-${colorScheme}-${name}.png`, timeout: 120_000 });
+      }
+    };
+    await expect(page.locator('#scan')).toContainText('Stops at the noise');
+    await expect.poll(async () => Number(await root(page).getAttribute('data-steps'))).toBeGreaterThan(3000);
+    await take('scan-running');
+    await expect(root(page)).toHaveAttribute('data-run-state', 'finished', { timeout: 1_500_000 });
+    await take('scan-at-its-answer');
+  });
 }
 
 /** What was asked for is on the screen. */

@@ -12,6 +12,8 @@ export function openedWith(parts: Partial<Opened> = {}): Opened {
     stepsPlanned: 10,
     estimatedBytes: 1,
     memoryLimitBytes: 2,
+    stepsAffordable: 10,
+    frame: { scale: 1, count: 10, positions: new Float32Array(), outline: new Float32Array() },
     warnings: [],
     ...parts,
   };
@@ -26,6 +28,9 @@ export function deltaOf(firstStep: number, epsilon: readonly number[], parts: Pa
     firstStep,
     stepCount: firstStep + count - 1,
     hash: '0123456789abcdef',
+    memoryBytes: 0,
+    noise: 0,
+    endedAtNoise: false,
     landmark: Uint32Array.from({ length: count }, (_, i) => firstStep + i - 1),
     epsilon: Float64Array.from(epsilon),
     shownFamily: new Uint8Array(count).fill(1),

@@ -22,11 +22,10 @@ describe('a store of lifespans', () => {
     const store = new LifespanStore(2, 2);
     const births = [2, 2, 3, 5, 5, 9];
     for (const birth of births) {
-      store.append(
-        (k) => k,
-        birth,
-        (track) => (track === 0 ? NEVER : birth),
-      );
+      store.append(Uint32Array.of(0, 1), Uint32Array.of(birth), [
+        Uint32Array.of(NEVER),
+        Uint32Array.of(birth),
+      ]);
     }
     const [chunk] = store.chunks;
     expect([1, 2, 4, 5, 9, 99].map((step) => chunk?.bornBy(step))).toEqual([0, 2, 3, 5, 6, 6]);
@@ -39,23 +38,25 @@ describe('a store of lifespans', () => {
 
   test('keeps earlier chunks as they are and reports what changed', () => {
     const store = new LifespanStore(1, 1);
-    const add = () =>
-      store.append(
-        () => 7,
-        1,
-        () => NEVER,
-      );
+    const add = () => store.append(Uint32Array.of(7), Uint32Array.of(1), [Uint32Array.of(NEVER)]);
     for (let i = 0; i < CHUNK_SIZE; ++i) add();
     const [first] = store.chunks;
     const words = first?.words;
-    expect(first?.takeDirty()).toEqual({ from: 0, to: CHUNK_SIZE });
+    expect(first?.takeDirty()).toEqual([{ from: 0, to: CHUNK_SIZE }]);
     add();
     expect(store.chunks).toHaveLength(2);
     expect(store.chunks[0]?.words).toBe(words);
-    expect(first?.takeDirty()).toBeUndefined();
+    expect(first?.takeDirty()).toEqual([]);
     store.setDeath(10, 0, 4);
     store.setDeath(20, 0, 5);
-    expect(first?.takeDirty()).toEqual({ from: 10, to: 21 });
+    expect(first?.takeDirty()).toEqual([{ from: 10, to: 21 }]);
+    // Far apart: what lies between them is not told.
+    store.setDeath(30, 0, 6);
+    store.setDeath(9000, 0, 6);
+    expect(first?.takeDirty()).toEqual([
+      { from: 30, to: 31 },
+      { from: 9000, to: 9001 },
+    ]);
     expect(words?.[10 * 3 + 2]).toBe(4);
   });
 });

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { readable } from '../../../web/src/model/numbers.ts';
-import { cardWords, joinedPlateaus, rankedCards } from '../../../web/src/model/plateau-cards.ts';
+import { cardWords, CardStack } from '../../../web/src/model/plateau-cards.ts';
 import { bettiInWords, shapeInWords } from '../../../web/src/model/words.ts';
 import { plateausOf } from './fixtures.ts';
 
@@ -68,7 +68,7 @@ describe('cards', () => {
       { steps: [51, 52], epsilon: [0.5, 0.495], ratio: 1.01, ...odd },
       { steps: [53, 90], epsilon: [0.495, 0.1], ratio: 4.95, ...torus },
     ]);
-    const cards = joinedPlateaus(plateaus, 3);
+    const cards = new CardStack(3).joined(plateaus);
     expect(cards).toHaveLength(1);
     expect(cards[0]).toMatchObject({ firstStep: 10, lastStep: 90, runs: 2, middleStep: 71 });
     expect(cards[0]?.length).toBeCloseTo(Math.log(10), 10);
@@ -86,12 +86,31 @@ describe('cards', () => {
       { steps: [51, 80], epsilon: [0.5, 0.3], ratio: 1.7, ...odd },
       { steps: [81, 90], epsilon: [0.294, 0.1], ratio: 3, ...torus },
     ]);
-    expect(joinedPlateaus(plateaus, 3)).toHaveLength(3);
-    expect(rankedCards(plateaus, 3).map(({ firstStep }) => firstStep)).toEqual([81, 10, 51]);
+    expect(new CardStack(3).joined(plateaus)).toHaveLength(3);
+    expect(new CardStack(3).ranked(plateaus).map(({ firstStep }) => firstStep)).toEqual([81, 10, 51]);
   });
 
   test('leave out what is too short to mean anything', () => {
     const plateaus = plateausOf([{ steps: [1, 2], epsilon: [1, 1], ratio: 1.02, ...odd }]);
-    expect(rankedCards(plateaus, 3)).toEqual([]);
+    expect(new CardStack(3).ranked(plateaus)).toEqual([]);
+  });
+
+  test('are the same for a run that grows as for all of it at once', () => {
+    let seed = 7;
+    const random = (below: number): number => (seed = (seed * 16807) % 2147483647) % below;
+    const list = Array.from({ length: 400 }, (_, i) => ({
+      steps: [i + 1, i + 1] as const,
+      epsilon: [Math.exp(-i / 50), Math.exp(-i / 50)] as const,
+      ratio: Math.exp(1 / 50),
+      family: 1 + (random(9) === 0 ? 1 : 0),
+      betti: [1, random(3) === 0 ? random(3) : 1, 0],
+    }));
+    const growing = new CardStack(3);
+    for (let count = 1; count <= list.length; count += 1 + random(7)) {
+      const soFar = plateausOf(list.slice(0, count));
+      // The last one can still become longer, or be joined otherwise than it looks now.
+      expect(growing.joined(soFar)).toEqual(new CardStack(3).joined(soFar));
+    }
+    expect(growing.joined(plateausOf(list)).some(({ runs }) => runs > 3)).toBe(true);
   });
 });

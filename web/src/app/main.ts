@@ -11,6 +11,7 @@ import { Gallery } from './gallery.ts';
 import { closeSheets, HelpSheet } from './help-sheet.ts';
 import { listenToKeys } from './keyboard.ts';
 import { Page } from './page.ts';
+import { workOffline } from './offline.ts';
 import { acceptPastes } from './paste.ts';
 import { SAMPLES, type Sample } from './samples.ts';
 import { saveFile } from './save-file.ts';
@@ -135,7 +136,9 @@ listenToKeys({
 
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => page.applyTheme());
 
-const { choice, options } = startFrom(location.search);
+const { choice, options, memoryLimit } = startFrom(location.search);
+page.memoryLimit = memoryLimit;
 if (!choice) page.showEmpty();
 else
   void page.open(choice, options, matchMedia('(prefers-reduced-motion: reduce)').matches ? 'wait' : 'play');
+workOffline();

@@ -5,7 +5,6 @@ import type { RunRecord } from '../model/record.ts';
 import { grouped } from '../model/numbers.ts';
 import { stepAt, type AxisKind } from '../model/scale-axis.ts';
 import { DiagramView } from '../view/diagram-view.ts';
-import { ShapeView } from '../view/shape-view.ts';
 import type { Failure, RunOptions } from '../worker/protocol.ts';
 import { Announcer } from './announcer.ts';
 import { CardList } from './card-list.ts';
@@ -14,13 +13,16 @@ import { EarlierRun, sameShape, type ShownRun } from './earlier-run.ts';
 import { Film } from './film.ts';
 import { Notices } from './notices.ts';
 import { RunFeed } from './run-feed.ts';
+import { RunNotes } from './run-notes.ts';
 import { SettingsForm } from './settings-form.ts';
-import { cloudSource, sourceName, type SourceChoice } from './source.ts';
+import { shapeViewOrNone } from './shape-or-none.ts';
+import { cloudSource, sourceName, withDefaults, type SourceChoice } from './source.ts';
 import { StatusLine } from './status-line.ts';
 import { Transport } from './transport.ts';
 import { ViewTools } from './view-tools.ts';
 
-const DIAGRAM_EVERY_MS = 120;
+/** While a run grows: the computation needs the time between two pictures. */
+const PICTURES_EVERY_MS = 120;
 
 /** What happens to the playhead when a cloud is opened. */
 type Arrival =
@@ -37,15 +39,6 @@ type Arrival =
 interface Opening {
   readonly choice: SourceChoice;
   readonly options: RunOptions;
-}
-
-function shapeViewOrNone(onView: (unitsPerPixel: number) => void): ShapeView | undefined {
-  try {
-    return new ShapeView(byId('shape', HTMLElement), onView);
-  } catch {
-    byId('no-shape', HTMLElement).hidden = false;
-    return undefined;
-  }
 }
 
 /** The page as a whole: one run that is shown, one playhead, and the way from one run to the next. */
@@ -74,12 +67,20 @@ export class Page {
   );
   private readonly announcer = new Announcer(byId('spoken', HTMLElement));
   private readonly settings = new SettingsForm(() => this.openAgain());
+  private readonly notes = new RunNotes(() => {
+    this.feed?.runPastNoise().then(
+      () => this.grown(),
+      (error: unknown) => this.showError(error),
+    );
+  });
   private readonly film = new Film(this);
   private readonly history = new History<Opening>();
   /** Where in the history what is shown stands; the history itself may be ahead. */
   private shownPlace = -1;
   private readonly sample = byId('sample', HTMLSelectElement);
 
+  /** Bytes that a run may take, where that is less than the module allows. */
+  memoryLimit: number | undefined;
   private opening: AbortController | undefined;
   private failedChoice: SourceChoice | undefined;
   private feed: RunFeed | undefined;
@@ -89,7 +90,7 @@ export class Page {
   private returnTo = 0;
   private step = 0;
   private arrival: Arrival = 'wait';
-  private diagramDue = 0;
+  private picturesDue = 0;
 
   constructor() {
     this.tools.attach(this.shape);
@@ -137,13 +138,16 @@ export class Page {
     if (!travelling) this.history.returnTo(this.shownPlace);
     // The old run must not take slices from the new one; it goes on if the new one fails.
     shown?.run.pause().catch(() => undefined);
+    const begin = performance.now();
     try {
-      const run = await this.client.open(await cloudSource(choice), options, opening.signal);
+      const asked = withDefaults(choice, options, this.memoryLimit);
+      const run = await this.client.open(await cloudSource(choice), asked, opening.signal);
       if (opening.signal.aborted) {
         run.close().catch(() => undefined);
         return;
       }
-      this.show(new RunFeed(run, this.listener()), { choice, options }, arrival);
+      const readMs = performance.now() - begin;
+      this.show(new RunFeed(run, this.listener()), { choice, options }, arrival, readMs);
       this.settings.show(choice, options, run.opened);
       if (!travelling) this.history.add({ choice, options });
       this.shownPlace = this.history.place;
@@ -267,7 +271,7 @@ export class Page {
       : undefined;
   }
 
-  private show(feed: RunFeed, { choice, options }: Opening, arrival: Arrival): void {
+  private show(feed: RunFeed, { choice, options }: Opening, arrival: Arrival, readMs: number): void {
     this.film.pause();
     const before = this.shownRun();
     this.returnTo = this.step > 0 ? (this.record?.epsilon(this.step) ?? 0) : 0;
@@ -288,11 +292,12 @@ export class Page {
     byId('legend-voids', HTMLElement).hidden = feed.record.dimension < 3;
     this.markSample();
     this.showEmpty();
-    const count = feed.record.coordinates.length / feed.record.dimension;
+    const { count } = feed.record.frame;
     byId('source', HTMLElement).textContent = `${sourceName(choice)} · ${grouped(count)} points`;
     this.root.dataset['source'] = choice.kind === 'sample' ? choice.shape : choice.file.name;
     this.root.dataset['step'] = '0';
     this.showRunState(feed.record);
+    this.notes.begin(feed.record, readMs);
     feed.start();
   }
 
@@ -318,18 +323,19 @@ export class Page {
   private grown(): void {
     const { record } = this;
     if (!record) return;
-    this.shape?.sync();
-    this.transport.setSteps(record.stepCount);
     const ended = record.state === 'finished' || record.state === 'stopped';
-    if (ended || performance.now() >= this.diagramDue) {
-      this.diagramDue = performance.now() + DIAGRAM_EVERY_MS;
+    const first = this.step === 0 && record.stepCount > 0;
+    if (ended || first || performance.now() >= this.picturesDue) {
+      this.picturesDue = performance.now() + PICTURES_EVERY_MS;
+      this.shape?.sync();
+      this.transport.setSteps(record.stepCount);
       this.diagram.requestPaint();
-    }
-    if (record.stepCount > 0) {
-      if (this.arrival === 'answer') this.showStep(record.stepCount);
-      else if (this.arrival === 'return') this.showStep(this.stepReached(record));
-      else if (this.step === 0) this.showStep(1);
-      if (this.arrival === 'play') this.play();
+      if (record.stepCount > 0) {
+        if (this.arrival === 'answer') this.showStep(record.stepCount);
+        else if (this.arrival === 'return') this.showStep(this.stepReached(record));
+        else if (first) this.showStep(1);
+        if (this.arrival === 'play') this.play();
+      }
     }
     this.showRunState(record);
   }
@@ -369,9 +375,7 @@ export class Page {
     this.root.dataset['runState'] = record.state;
     this.root.dataset['steps'] = String(record.stepCount);
     this.root.dataset['hash'] = record.hash;
-    const computing = record.state === 'running' || record.state === 'preparing';
-    const done = `computed ${grouped(record.stepCount)} of ${grouped(record.stepsPlanned)}`;
-    setNotice(byId('computing', HTMLElement), computing ? done : '');
+    this.notes.show();
   }
 
   private get following(): boolean {

@@ -1,5 +1,5 @@
 import type { RemoteRun } from '../client/plateau-client.ts';
-import { rankedCards, type PlateauCard } from '../model/plateau-cards.ts';
+import { CardStack, type PlateauCard } from '../model/plateau-cards.ts';
 import { RunRecord } from '../model/record.ts';
 import type { Failure } from '../worker/protocol.ts';
 
@@ -19,19 +19,35 @@ export interface FeedListener {
 /** Pulls what a run appends into a record until it ends. */
 export class RunFeed {
   readonly record: RunRecord;
+  private readonly cards: CardStack;
   private stopped = false;
+  private pulling = false;
 
   constructor(
     readonly run: RemoteRun,
     private readonly listener: FeedListener,
   ) {
     this.record = new RunRecord(run.opened);
+    this.cards = new CardStack(this.record.dimension);
   }
 
   start(): void {
-    this.pull().catch((error: unknown) => {
-      if (!this.stopped) this.listener.failed(error);
-    });
+    if (this.pulling) return;
+    this.pulling = true;
+    this.pull()
+      .catch((error: unknown) => {
+        if (!this.stopped) this.listener.failed(error);
+      })
+      .finally(() => {
+        this.pulling = false;
+      });
+  }
+
+  /** The run goes on beyond the noise, also where it has ended there. */
+  async runPastNoise(): Promise<void> {
+    await this.run.runPastNoise();
+    this.record.runPastNoise();
+    this.start();
   }
 
   /** Ends the pulling and frees the run in the worker. */
@@ -41,6 +57,10 @@ export class RunFeed {
     this.run.close().catch(() => undefined);
   }
 
+  private get ended(): boolean {
+    return this.record.state === 'finished' || this.record.state === 'stopped';
+  }
+
   private async pull(): Promise<void> {
     let cardsDue = 0;
     while (!this.stopped) {
@@ -48,14 +68,14 @@ export class RunFeed {
       if (this.stopped) return;
       this.record.append(delta);
       this.listener.grown();
-      const ended = delta.state === 'finished' || delta.state === 'stopped';
-      if (ended || performance.now() >= cardsDue) {
+      if (this.ended || performance.now() >= cardsDue) {
         const plateaus = await this.run.fetchPlateaus();
         if (this.stopped) return;
-        this.listener.cardsFound(rankedCards(plateaus, this.record.dimension));
+        this.listener.cardsFound(this.cards.ranked(plateaus));
         cardsDue = performance.now() + CARDS_EVERY_MS;
       }
-      if (ended) {
+      // Asked again: the stop at the noise may have been lifted meanwhile.
+      if (this.ended) {
         this.listener.ended(delta.stopped);
         return;
       }

@@ -1,4 +1,5 @@
 import type { CloudSource, Family, RunOptions } from '../worker/protocol.ts';
+import { SCAN_POINTS } from '../model/forecast.ts';
 import { BUNNY, SAMPLES } from './samples.ts';
 
 /** What the visitor chose to look at. A file is kept, not its bytes: it is read anew for other settings. */
@@ -11,6 +12,22 @@ export interface Start {
   /** Undefined: an empty page. */
   readonly choice: SourceChoice | undefined;
   readonly options: RunOptions;
+  /** Bytes; undefined: what the module allows. */
+  readonly memoryLimit: number | undefined;
+}
+
+/** A scan ends at its noise, unless its end was asked for. */
+export function withDefaults(
+  choice: SourceChoice,
+  options: RunOptions,
+  memoryLimit: number | undefined,
+): RunOptions {
+  const endAsked = options.maxSteps !== undefined || options.untilEpsilon !== undefined;
+  return {
+    ...options,
+    ...(choice.kind === 'file' && !endAsked ? { noiseStopFrom: SCAN_POINTS } : {}),
+    ...(memoryLimit === undefined ? {} : { memoryLimit }),
+  };
 }
 
 export function sourceName(choice: SourceChoice): string {
@@ -60,17 +77,20 @@ export function isFamily(text: string): text is Family {
   return FAMILIES.includes(text);
 }
 
-/** The helix, or what the address asks for: ?sample=torus&n=800&family=surface, ?sample=none for nothing. */
+/** The helix, or what the address asks for: ?sample=torus&n=800&family=surface, ?sample=none for nothing; &memory=512: MB that a run may take. */
 export function startFrom(query: string): Start {
   const asked = new URLSearchParams(query);
   const sample = SAMPLES.find(({ shape }) => shape === asked.get('sample'));
   const size = Number(asked.get('n'));
   const family = asked.get('family') ?? '';
   const options = isFamily(family) ? { family } : {};
-  if (asked.get('sample') === 'none') return { choice: undefined, options };
+  const megabytes = Number(asked.get('memory'));
+  const memoryLimit = megabytes > 0 ? megabytes * 2 ** 20 : undefined;
+  if (asked.get('sample') === 'none') return { choice: undefined, options, memoryLimit };
   const { shape, size: usual } = sample ?? { shape: 'helix', size: 3000 };
   return {
     choice: { kind: 'sample', shape, size: Number.isInteger(size) && size > 0 ? size : usual },
     options,
+    memoryLimit,
   };
 }

@@ -57,6 +57,11 @@ export class RemoteRun {
     await this.link.send({ kind: 'resume', runId: this.runId });
   }
 
+  /** Lifts the stop at the noise: the run goes on to its end, whether it has ended there or not. */
+  async runPastNoise(): Promise<void> {
+    await this.link.send({ kind: 'runPastNoise', runId: this.runId });
+  }
+
   async close(): Promise<void> {
     await this.link.send({ kind: 'close', runId: this.runId });
   }

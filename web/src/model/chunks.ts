@@ -1,6 +1,9 @@
 /** Elements in one chunk: large enough for few draw calls, small enough that a new one costs nothing. */
 export const CHUNK_SIZE = 16_384;
 const CHUNK_BITS = 14;
+/** Elements whose changes are told as one range. */
+const DIRTY_BITS = 8;
+const DIRTY_BLOCKS = CHUNK_SIZE >>> DIRTY_BITS;
 /** The death of what still lives, as in the protocol. */
 export const NEVER = 0xffffffff;
 
@@ -51,8 +54,9 @@ export class LifespanChunk {
   /** Still alive, by track, and the last death of the others: a chunk that is dead as a whole need not be drawn. */
   readonly alive: number[];
   readonly lastDeath: number[];
-  private dirtyFrom = CHUNK_SIZE;
-  private dirtyTo = 0;
+  /** What changed, block by block: late deaths lie far apart, and what lies between them need not go along. */
+  private readonly dirtyFrom = new Uint16Array(DIRTY_BLOCKS).fill(CHUNK_SIZE);
+  private readonly dirtyTo = new Uint16Array(DIRTY_BLOCKS);
 
   constructor(
     readonly stride: number,
@@ -63,18 +67,69 @@ export class LifespanChunk {
     this.lastDeath = new Array<number>(deaths).fill(0);
   }
 
-  touch(index: number): void {
-    this.dirtyFrom = Math.min(this.dirtyFrom, index);
-    this.dirtyTo = Math.max(this.dirtyTo, index + 1);
+  /** Writes `count` elements from place `at` on; they begin at element `from` of what is given. */
+  write(
+    at: number,
+    count: number,
+    from: number,
+    vertices: Uint32Array,
+    births: Uint32Array,
+    deaths: readonly Uint32Array[],
+  ): void {
+    const { words, stride } = this;
+    const width = stride - 1 - this.deaths;
+    for (let i = 0; i < count; ++i) {
+      const word = (at + i) * stride;
+      for (let k = 0; k < width; ++k) words[word + k] = vertices[(from + i) * width + k] ?? 0;
+      words[word + width] = births[from + i] ?? 0;
+    }
+    for (let track = 0; track < this.deaths; ++track) {
+      const steps = deaths[track];
+      let alive = 0;
+      let last = this.lastDeath[track] ?? 0;
+      for (let i = 0; i < count; ++i) {
+        const step = steps?.[from + i] ?? 0;
+        words[(at + i) * stride + width + 1 + track] = step;
+        if (step === NEVER) ++alive;
+        else if (step > last) last = step;
+      }
+      this.alive[track] = (this.alive[track] ?? 0) + alive;
+      this.lastDeath[track] = last;
+    }
+    this.count = at + count;
+    this.touch(at, at + count);
   }
 
-  /** For the one view that mirrors this chunk: what changed since the last call. */
-  takeDirty(): DirtyRange | undefined {
-    if (this.dirtyFrom >= this.dirtyTo) return undefined;
-    const range = { from: this.dirtyFrom, to: this.dirtyTo };
-    this.dirtyFrom = CHUNK_SIZE;
-    this.dirtyTo = 0;
-    return range;
+  setDeath(at: number, track: number, step: number): void {
+    this.words[at * this.stride + this.stride - this.deaths + track] = step;
+    this.alive[track] = (this.alive[track] ?? 0) - 1;
+    if (step > (this.lastDeath[track] ?? 0)) this.lastDeath[track] = step;
+    this.touch(at, at + 1);
+  }
+
+  /** For the one view that mirrors this chunk: what changed since the last call, in ascending ranges. */
+  takeDirty(): DirtyRange[] {
+    const ranges: DirtyRange[] = [];
+    for (let block = 0; block < DIRTY_BLOCKS; ++block) {
+      const [from = 0, to = 0] = [this.dirtyFrom[block], this.dirtyTo[block]];
+      if (from >= to) continue;
+      const before = ranges.at(-1);
+      if (before?.to === from) ranges[ranges.length - 1] = { from: before.from, to };
+      else ranges.push({ from, to });
+    }
+    this.dirtyFrom.fill(CHUNK_SIZE);
+    this.dirtyTo.fill(0);
+    return ranges;
+  }
+
+  private touch(from: number, to: number): void {
+    for (let at = from; at < to;) {
+      const block = at >>> DIRTY_BITS;
+      const end = Math.min(to, (block + 1) << DIRTY_BITS);
+      if (at < (this.dirtyFrom[block] ?? 0)) this.dirtyFrom[block] = at;
+      if (end > (this.dirtyTo[block] ?? 0)) this.dirtyTo[block] = end;
+      at = end;
+    }
   }
 
   /** Elements born by the step; births ascend. */
@@ -110,32 +165,20 @@ export class LifespanStore {
     return this.vertices + 1 + this.deaths;
   }
 
-  /** `vertex(k)` and `death(track)` are asked for the element that is appended. */
-  append(vertex: (k: number) => number, birth: number, death: (track: number) => number): void {
-    const at = this.length & (CHUNK_SIZE - 1);
-    if (at === 0) this.chunks.push(new LifespanChunk(this.stride, this.deaths));
-    const chunk = this.chunkOf(this.length);
-    const word = at * this.stride;
-    for (let k = 0; k < this.vertices; ++k) chunk.words[word + k] = vertex(k);
-    chunk.words[word + this.vertices] = birth;
-    for (let track = 0; track < this.deaths; ++track) {
-      const step = death(track);
-      chunk.words[word + this.vertices + 1 + track] = step;
-      if (step === NEVER) chunk.alive[track] = (chunk.alive[track] ?? 0) + 1;
-      else chunk.lastDeath[track] = Math.max(chunk.lastDeath[track] ?? 0, step);
+  /** One element for each birth: its `vertices` input indices, and its death in each track. Births ascend. */
+  append(vertices: Uint32Array, births: Uint32Array, deaths: readonly Uint32Array[]): void {
+    for (let taken = 0; taken < births.length;) {
+      const at = this.length & (CHUNK_SIZE - 1);
+      if (at === 0) this.chunks.push(new LifespanChunk(this.stride, this.deaths));
+      const count = Math.min(CHUNK_SIZE - at, births.length - taken);
+      this.chunkOf(this.length).write(at, count, taken, vertices, births, deaths);
+      this.length += count;
+      taken += count;
     }
-    chunk.count = at + 1;
-    chunk.touch(at);
-    ++this.length;
   }
 
   setDeath(index: number, track: number, step: number): void {
-    const chunk = this.chunkOf(index);
-    const at = index & (CHUNK_SIZE - 1);
-    chunk.words[at * this.stride + this.vertices + 1 + track] = step;
-    chunk.alive[track] = (chunk.alive[track] ?? 0) - 1;
-    chunk.lastDeath[track] = Math.max(chunk.lastDeath[track] ?? 0, step);
-    chunk.touch(at);
+    this.chunkOf(index).setDeath(index & (CHUNK_SIZE - 1), track, step);
   }
 
   private chunkOf(index: number): LifespanChunk {

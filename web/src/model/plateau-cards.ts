@@ -33,29 +33,28 @@ interface Run {
   readonly end: number;
 }
 
-function runsOf(plateaus: Plateaus, dimension: number): Run[] {
-  const runs: Run[] = [];
-  for (let i = 0; i < plateaus.firstStep.length; ++i) {
-    const epsilonFirst = plateaus.epsilonFirst[i] ?? 0;
-    const length = Math.log(plateaus.ratio[i] ?? 1);
-    const start = epsilonFirst > 0 ? -Math.log(epsilonFirst) : (runs.at(-1)?.end ?? 0);
-    const card: PlateauCard = {
-      firstStep: plateaus.firstStep[i] ?? 0,
-      lastStep: plateaus.lastStep[i] ?? 0,
-      middleStep: plateaus.middleStep[i] ?? 0,
-      epsilonFirst,
-      length,
-      family: shownFamilyName(plateaus.family[i] ?? 1),
-      betti: [...plateaus.betti.subarray(i * dimension, (i + 1) * dimension)],
-      runs: 1,
-    };
-    runs.push({ card, start, end: start + length });
-  }
-  return runs;
+/** A run on the stack, and where the one like it below it lies: -1 for none. */
+interface Stacked {
+  readonly run: Run;
+  readonly key: string;
+  readonly alikeBelow: number;
 }
 
-function alike(a: PlateauCard, b: PlateauCard): boolean {
-  return a.family === b.family && a.betti.every((value, k) => value === b.betti[k]);
+function runAt(plateaus: Plateaus, i: number, dimension: number, before: Run | undefined): Run {
+  const epsilonFirst = plateaus.epsilonFirst[i] ?? 0;
+  const length = Math.log(plateaus.ratio[i] ?? 1);
+  const start = epsilonFirst > 0 ? -Math.log(epsilonFirst) : (before?.end ?? 0);
+  const card: PlateauCard = {
+    firstStep: plateaus.firstStep[i] ?? 0,
+    lastStep: plateaus.lastStep[i] ?? 0,
+    middleStep: plateaus.middleStep[i] ?? 0,
+    epsilonFirst,
+    length,
+    family: shownFamilyName(plateaus.family[i] ?? 1),
+    betti: [...plateaus.betti.subarray(i * dimension, (i + 1) * dimension)],
+    runs: 1,
+  };
+  return { card, start, end: start + length };
 }
 
 /** The middle of the joint run if a member shows it there, else the middle of the longer member. */
@@ -71,22 +70,78 @@ function joined(a: Run, b: Run): Run {
   return { card, start: a.start, end: b.end };
 }
 
-/** Cards in the order of steps. The bunny flickers: many short interruptions of one shape are one answer. */
-export function joinedPlateaus(plateaus: Plateaus, dimension: number): PlateauCard[] {
-  const done: Run[] = [];
-  for (const run of runsOf(plateaus, dimension)) {
-    let current = run;
-    for (let i = done.length - 1; i >= 0; --i) {
-      const earlier = done[i];
-      if (!earlier || !alike(earlier.card, current.card)) continue;
-      const gap = current.start - earlier.end;
-      if (gap > JOIN_GAP * (current.end - earlier.start)) break;
-      current = joined(earlier, current);
-      done.length = i;
+/**
+ * The plateaus of a growing run as cards. The bunny flickers: many short interruptions of one shape are one answer.
+ * Only what is new is looked at: a scan has tens of thousands of plateaus, and most last a step.
+ */
+export class CardStack {
+  private readonly stack: Stacked[] = [];
+  /** The topmost run of each shape. */
+  private readonly topmost = new Map<string, number>();
+  /** Plateaus that no later step can lengthen. */
+  private settled = 0;
+  private before: Run | undefined;
+
+  constructor(private readonly dimension: number) {}
+
+  /** In the order of steps. `plateaus`: all so far; those before the last are as they were at the last call. */
+  joined(plateaus: Plateaus): PlateauCard[] {
+    const count = plateaus.firstStep.length;
+    for (; this.settled + 1 < count; ++this.settled) {
+      const run = runAt(plateaus, this.settled, this.dimension, this.before);
+      this.before = run;
+      const { under, top } = this.joinedWith(run);
+      this.cutTo(under);
+      this.push(top);
     }
-    done.push(current);
+    if (count === 0) return [];
+    const { under, top } = this.joinedWith(runAt(plateaus, count - 1, this.dimension, this.before));
+    return [...this.stack.slice(0, under).map(({ run }) => run.card), top.card];
   }
-  return done.map(({ card }) => card);
+
+  /** The cards to show: the longest first, those of few landmarks last, those too short to mean anything left out. */
+  ranked(plateaus: Plateaus): PlateauCard[] {
+    return this.joined(plateaus)
+      .filter((card) => card.length >= SHORTEST)
+      .sort(
+        (a, b) =>
+          Number(fewLandmarks(a)) - Number(fewLandmarks(b)) ||
+          b.length - a.length ||
+          a.firstStep - b.firstStep,
+      )
+      .slice(0, MOST_CARDS);
+  }
+
+  /** What the run becomes on top of the stack, and how much of the stack stays under it. */
+  private joinedWith(run: Run): { under: number; top: Run } {
+    let [under, top] = [this.stack.length, run];
+    let below = this.topmost.get(keyOf(run.card)) ?? -1;
+    while (below >= 0) {
+      const earlier = this.stack[below];
+      if (!earlier) break;
+      if (top.start - earlier.run.end > JOIN_GAP * (top.end - earlier.run.start)) break;
+      [under, top] = [below, joined(earlier.run, top)];
+      below = earlier.alikeBelow;
+    }
+    return { under, top };
+  }
+
+  private cutTo(length: number): void {
+    while (this.stack.length > length) {
+      const gone = this.stack.pop();
+      if (gone) this.topmost.set(gone.key, gone.alikeBelow);
+    }
+  }
+
+  private push(run: Run): void {
+    const key = keyOf(run.card);
+    this.stack.push({ run, key, alikeBelow: this.topmost.get(key) ?? -1 });
+    this.topmost.set(key, this.stack.length - 1);
+  }
+}
+
+function keyOf({ family, betti }: PlateauCard): string {
+  return `${family} ${betti.join()}`;
 }
 
 /** The landmarks of one piece, at the most. */
@@ -96,17 +151,6 @@ function landmarksPerPiece({ lastStep, betti }: PlateauCard): number {
 
 function fewLandmarks(card: PlateauCard): boolean {
   return landmarksPerPiece(card) < FEW_LANDMARKS;
-}
-
-/** The cards to show: the longest first, those of few landmarks last, those too short to mean anything left out. */
-export function rankedCards(plateaus: Plateaus, dimension: number): PlateauCard[] {
-  return joinedPlateaus(plateaus, dimension)
-    .filter((card) => card.length >= SHORTEST)
-    .sort(
-      (a, b) =>
-        Number(fewLandmarks(a)) - Number(fewLandmarks(b)) || b.length - a.length || a.firstStep - b.firstStep,
-    )
-    .slice(0, MOST_CARDS);
 }
 
 export interface CardWords {

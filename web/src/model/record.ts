@@ -1,5 +1,5 @@
-import type { Delta, Family, Opened, RunState, ShownFamily } from '../worker/protocol.ts';
-import { ChunkedColumn, LifespanStore, NEVER } from './chunks.ts';
+import type { CloudFrame, Delta, Family, Opened, RunState, ShownFamily } from '../worker/protocol.ts';
+import { ChunkedColumn, LifespanStore } from './chunks.ts';
 
 /** Steps in one block of extremes. */
 const BLOCK = 256;
@@ -26,9 +26,13 @@ export interface StepSummary {
  */
 export class RunRecord {
   readonly dimension: number;
-  readonly coordinates: Float64Array;
+  readonly frame: CloudFrame;
   readonly family: Family;
   readonly stepsPlanned: number;
+  /** How many of them the memory is expected to hold, how much all would take, and how much there is. */
+  readonly stepsAffordable: number;
+  readonly estimatedBytes: number;
+  readonly memoryLimitBytes: number;
   /** The landmarks as elements that never die. */
   readonly points = new LifespanStore(1, 0);
   readonly edges: LifespanStore;
@@ -37,6 +41,11 @@ export class RunRecord {
   state: RunState = 'preparing';
   stepCount = 0;
   hash = '';
+  /** What the run holds. */
+  memoryBytes = 0;
+  /** The ε at which the run ends by itself; 0: nowhere, or not known yet. */
+  noise = 0;
+  endedAtNoise = false;
 
   /** Extremes of the Betti numbers over blocks of steps, `dimension` entries a block. */
   private readonly blockLeast: number[] = [];
@@ -48,9 +57,12 @@ export class RunRecord {
 
   constructor(opened: Opened) {
     this.dimension = opened.dimension;
-    this.coordinates = opened.coordinates;
+    this.frame = opened.frame;
     this.family = opened.family;
     this.stepsPlanned = opened.stepsPlanned;
+    this.stepsAffordable = opened.stepsAffordable;
+    this.estimatedBytes = opened.estimatedBytes;
+    this.memoryLimitBytes = opened.memoryLimitBytes;
     const tracks = opened.family === 'auto' ? 2 : 1;
     this.edges = new LifespanStore(2, tracks);
     this.triangles = new LifespanStore(3, tracks);
@@ -61,37 +73,36 @@ export class RunRecord {
       throw new Error(`steps from ${delta.firstStep} do not follow step ${this.stepCount}`);
     }
     this.landmarks.append(delta.landmark);
-    delta.landmark.forEach((landmark, i) =>
-      this.points.append(
-        () => landmark,
-        delta.firstStep + i,
-        () => NEVER,
-      ),
-    );
+    const steps = Uint32Array.from(delta.landmark, (_, i) => delta.firstStep + i);
+    this.points.append(delta.landmark, steps, []);
     this.epsilons.append(delta.epsilon);
     this.families.append(delta.shownFamily);
     this.bettis.append(delta.betti);
     this.extendBlocks(delta);
     this.appendSimplices(this.edges, delta.edges, delta.edgeDeath);
     this.appendSimplices(this.triangles, delta.triangles, delta.triangleDeath);
-    for (let i = 0; i + 3 < delta.deaths.length; i += 4) {
-      const [dimension = 0, track = 0, index = 0, step = 0] = delta.deaths.subarray(i, i + 4);
-      (dimension === 1 ? this.edges : this.triangles).setDeath(index, track, step);
+    const { deaths, endedRows } = delta;
+    for (let i = 0; i + 3 < deaths.length; i += 4) {
+      const store = deaths[i] === 1 ? this.edges : this.triangles;
+      store.setDeath(deaths[i + 2] ?? 0, deaths[i + 1] ?? 0, deaths[i + 3] ?? 0);
     }
-    const { rowVertices, rowFrom, rowTo } = delta;
-    for (let row = 0; row < rowFrom.length; ++row) {
-      this.rows.append(
-        (k) => this.landmark(rowVertices[3 * row + k] ?? 1),
-        rowFrom[row] ?? 0,
-        () => rowTo[row] ?? 0,
-      );
-    }
-    for (let i = 0; i + 1 < delta.endedRows.length; i += 2) {
-      this.rows.setDeath(delta.endedRows[i] ?? 0, 0, delta.endedRows[i + 1] ?? 0);
+    this.rows.append(this.landmarksOf(delta.rowVertices), delta.rowFrom, [delta.rowTo]);
+    for (let i = 0; i + 1 < endedRows.length; i += 2) {
+      this.rows.setDeath(endedRows[i] ?? 0, 0, endedRows[i + 1] ?? 0);
     }
     this.stepCount = delta.stepCount;
     this.state = delta.state;
     this.hash = delta.hash;
+    this.memoryBytes = delta.memoryBytes;
+    this.noise = delta.noise;
+    this.endedAtNoise = delta.endedAtNoise;
+  }
+
+  /** The run goes on beyond the noise. */
+  runPastNoise(): void {
+    this.noise = 0;
+    this.endedAtNoise = false;
+    if (this.state === 'finished') this.state = 'running';
   }
 
   /** Input index (0-based) of the landmark of a step. */
@@ -159,13 +170,15 @@ export class RunRecord {
     death: readonly [Uint32Array, Uint32Array],
   ): void {
     const width = store.vertices;
-    for (let i = 0; i * width < tuples.length; ++i) {
-      const birth = tuples[i * width + width - 1] ?? 0;
-      store.append(
-        (k) => this.landmark(tuples[i * width + k] ?? 1),
-        birth,
-        (track) => death[track]?.[i] ?? 0,
-      );
-    }
+    const births = new Uint32Array(tuples.length / width);
+    for (let i = 0; i < births.length; ++i) births[i] = tuples[(i + 1) * width - 1] ?? 0;
+    store.append(this.landmarksOf(tuples), births, death);
+  }
+
+  /** Input indices of the landmarks of these steps. */
+  private landmarksOf(steps: Uint32Array): Uint32Array {
+    const indices = new Uint32Array(steps.length);
+    for (let i = 0; i < steps.length; ++i) indices[i] = this.landmark(steps[i] ?? 1);
+    return indices;
   }
 }

@@ -21,6 +21,8 @@ interface DrawnChunk {
   readonly buffer: InterleavedBuffer;
   readonly geometry: BufferGeometry;
   readonly object: Mesh | Points;
+  /** Not yet on the graphics card: it is taken along with the next picture, drawn or not. */
+  waiting: boolean;
 }
 
 function baseOf(form: 'edge' | 'triangle'): { corner: BufferAttribute; index: BufferAttribute } {
@@ -37,7 +39,8 @@ function baseOf(form: 'edge' | 'triangle'): { corner: BufferAttribute; index: Bu
 
 /**
  * Mirrors a store on the graphics card, chunk by chunk: the words of the store are the vertex buffer. What is
- * appended, and deaths that come later, are uploaded as ranges; a step only sets how many instances are drawn.
+ * appended, and deaths that come later, are uploaded as ranges with the next picture, also where they are not drawn;
+ * a step only sets how many instances are drawn.
  */
 export class LifespanLayer {
   readonly group = new Group();
@@ -55,22 +58,38 @@ export class LifespanLayer {
       const chunk = this.store.chunks[i];
       if (chunk) this.drawn.push(this.added(chunk));
     }
-    for (const { chunk, buffer } of this.drawn) {
-      const dirty = chunk.takeDirty();
-      if (!dirty) continue;
-      buffer.addUpdateRange(dirty.from * chunk.stride, (dirty.to - dirty.from) * chunk.stride);
-      buffer.needsUpdate = true;
+    for (const one of this.drawn) {
+      const dirty = one.chunk.takeDirty();
+      if (dirty.length === 0) continue;
+      const { stride } = one.chunk;
+      for (const { from, to } of dirty) one.buffer.addUpdateRange(from * stride, (to - from) * stride);
+      one.buffer.needsUpdate = true;
+      this.wait(one);
     }
   }
 
   /** Draws what may live at the step or died after `recent`; the shader leaves out the dead among it. */
   show(step: number, track: number, recent: number): void {
-    for (const { chunk, geometry, object } of this.drawn) {
+    for (const one of this.drawn) {
+      const { chunk } = one;
       const born = chunk.bornBy(step);
-      object.visible = born > 0 && (this.form === 'point' || chunk.outlives(track, recent));
-      if (geometry instanceof InstancedBufferGeometry) geometry.instanceCount = born;
-      else geometry.setDrawRange(0, born);
+      this.draw(one, this.form === 'point' || chunk.outlives(track, recent) ? born : 0);
     }
+  }
+
+  hide(): void {
+    for (const one of this.drawn) this.draw(one, 0);
+  }
+
+  private draw({ geometry, object, waiting }: DrawnChunk, count: number): void {
+    object.visible = waiting || count > 0;
+    if (geometry instanceof InstancedBufferGeometry) geometry.instanceCount = count;
+    else geometry.setDrawRange(0, count);
+  }
+
+  private wait(one: DrawnChunk): void {
+    one.waiting = true;
+    one.object.visible = true;
   }
 
   dispose(): void {
@@ -100,10 +119,15 @@ export class LifespanLayer {
     }
     const object = instanced ? new Mesh(geometry, this.material) : new Points(geometry, this.material);
     object.frustumCulled = false;
-    object.visible = false;
     this.group.add(object);
     // The first upload takes the whole buffer.
     chunk.takeDirty();
-    return { chunk, buffer, geometry, object };
+    const one: DrawnChunk = { chunk, buffer, geometry, object, waiting: false };
+    buffer.onUpload(() => {
+      one.waiting = false;
+    });
+    this.draw(one, 0);
+    this.wait(one);
+    return one;
   }
 }

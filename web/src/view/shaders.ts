@@ -259,7 +259,9 @@ void main() {
   gl_Position.z -= 0.0008 * gl_Position.w;
   float size = uDiameter * projectionMatrix[1][1] * uViewport.y * 0.5 / max(-here.z, 0.02);
   vNew = simplex.y == uStep ? 1.0 : momentAt(simplex.y);
-  gl_PointSize = clamp(size, uSizeRange.x, uSizeRange.y) * (1.0 + 0.6 * vNew);
+  // Where landmarks are as close as dots are wide, smaller ones let the complex between them be seen.
+  float least = clamp(1.5 * size, 0.4 * uSizeRange.x, uSizeRange.x);
+  gl_PointSize = clamp(size, least, uSizeRange.y) * (1.0 + 0.6 * vNew);
   vSize = gl_PointSize;
   vHaze = hazeAt(-here.z);
 }

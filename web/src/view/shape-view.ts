@@ -1,5 +1,8 @@
 import {
   BufferGeometry,
+  type DataTexture,
+  Group,
+  Mesh,
   PerspectiveCamera,
   Points,
   Quaternion,
@@ -10,7 +13,10 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { RunRecord } from '../model/record.ts';
-import { distanceFor, frameCloud, type CloudFrame } from './cloud-frame.ts';
+import { FRAME_WIDTH } from '../worker/frame.ts';
+import type { CloudFrame } from '../worker/protocol.ts';
+import { distanceFor, frameTexture } from './cloud-frame.ts';
+import { GpuPace } from './gpu-pace.ts';
 import { LifespanLayer } from './lifespan-layer.ts';
 import { createMaterials, NO_CUT, type SceneMaterials } from './scene-materials.ts';
 
@@ -19,6 +25,9 @@ const FIELD_OF_VIEW = 32;
 const FILL = 0.86;
 /** A landmark is drawn this large compared to ε: dots that touch no neighbor. */
 const LANDMARK_SHARE = 0.3;
+
+/** So long the first picture of a cloud waits for its first landmarks: a slow card would draw all points twice. */
+const HOLD_MS = 400;
 
 /** What of the shape is drawn. */
 export interface ShownLayers {
@@ -44,19 +53,37 @@ export class ShapeView {
   private readonly resizing: ResizeObserver;
   private record: RunRecord | undefined;
   private frame: CloudFrame | undefined;
+  private positions: DataTexture | undefined;
   private witnesses: Points | undefined;
   private layers:
     | { points: LifespanLayer; edges: LifespanLayer; triangles: LifespanLayer; rows: LifespanLayer }
     | undefined;
   private renderRequest = 0;
+  private readonly pace: GpuPace;
+  private lost = false;
+  private compiled = false;
+  private held: ReturnType<typeof setTimeout> | undefined;
   private shown: ShownLayers = { witnesses: true, landmarks: true, edges: true, faces: true };
 
-  /** `onView` is told the units of the input that a pixel shows in the middle of the shape. */
+  /**
+   * `onView` is told the units of the input that a pixel shows in the middle of the shape, `onLost` that the browser
+   * has taken the graphics card away or given it back.
+   */
   constructor(
     private readonly container: HTMLElement,
     private readonly onView: (unitsPerPixel: number) => void,
+    onLost: (lost: boolean) => void,
   ) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.pace = new GpuPace(this.renderer.getContext());
+    const changed = (lost: boolean): void => {
+      this.lost = lost;
+      this.pace.dispose();
+      onLost(lost);
+      this.requestRender();
+    };
+    this.renderer.domElement.addEventListener('webglcontextlost', () => changed(true));
+    this.renderer.domElement.addEventListener('webglcontextrestored', () => changed(false));
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
     container.append(this.renderer.domElement);
@@ -67,18 +94,40 @@ export class ShapeView {
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(container);
     this.resize();
+    void this.compile();
+  }
+
+  /** The shaders compile beside the page: a first picture that waits for them would hold it up. */
+  private async compile(): Promise<void> {
+    const { edge, face, surface, witness, landmark } = this.materials;
+    const geometry = new BufferGeometry();
+    const all = new Group();
+    for (const material of [edge, face, surface]) all.add(new Mesh(geometry, material));
+    for (const material of [witness, landmark]) all.add(new Points(geometry, material));
+    for (const object of all.children) object.frustumCulled = false;
+    await this.renderer.compileAsync(all, this.camera);
+    // Draws nothing, but asks the card about programs and textures now, while it has nothing else to do: later each
+    // question would wait until all is drawn that was asked for before.
+    const texture = frameTexture({ positions: new Float32Array(4 * FRAME_WIDTH) });
+    this.renderer.initTexture(texture);
+    this.renderer.render(all, this.camera);
+    texture.dispose();
+    geometry.dispose();
+    this.compiled = true;
+    this.requestRender();
   }
 
   /** Shows another record from its first step on, from a fresh view point. */
   setRecord(record: RunRecord): void {
     this.clear();
     this.record = record;
-    this.frame = frameCloud(record.coordinates, record.dimension);
+    this.frame = record.frame;
+    this.positions = frameTexture(record.frame);
     const { shared } = this.materials;
-    shared.uPositions.value = this.frame.texture;
+    shared.uPositions.value = this.positions;
     shared.uHaze.value = record.dimension === 2 ? 0 : 1;
     const geometry = new BufferGeometry();
-    geometry.setDrawRange(0, record.coordinates.length / record.dimension);
+    geometry.setDrawRange(0, record.frame.count);
     this.witnesses = new Points(geometry, this.materials.witness);
     this.witnesses.frustumCulled = false;
     this.layers = {
@@ -95,7 +144,14 @@ export class ShapeView {
     });
     this.witnesses.renderOrder = 4;
     this.scene.add(this.witnesses);
+    this.held = setTimeout(() => this.release(), HOLD_MS);
     this.fit();
+  }
+
+  private release(): void {
+    clearTimeout(this.held);
+    this.held = undefined;
+    this.requestRender();
   }
 
   /** Takes over what the record has gained. */
@@ -119,21 +175,17 @@ export class ShapeView {
     this.materials.shared.uTrack.value = onSurface ? 0 : track;
     this.materials.landmarkDiameter.value = epsilon * this.frame.scale * LANDMARK_SHARE;
     const { landmarks, edges: sides, faces, witnesses } = this.shown;
-    // Edges of the surface are drawn with its triangles.
-    rows.group.visible = onSurface && (faces || sides);
-    edges.group.visible = !onSurface && sides;
-    triangles.group.visible = !onSurface && faces;
-    points.group.visible = landmarks;
     if (this.witnesses) this.witnesses.visible = witnesses;
     this.materials.shared.uShown.value.set(faces ? 1 : 0, sides ? 1 : 0);
     const since = Math.floor(recent);
-    points.show(step, 0, since);
-    if (onSurface) rows.show(step, 0, since);
-    else {
-      edges.show(step, track, since);
-      triangles.show(step, track, since);
-    }
-    this.requestRender();
+    const draw = (layer: LifespanLayer, drawn: boolean, of = track): void =>
+      drawn ? layer.show(step, of, since) : layer.hide();
+    draw(points, landmarks, 0);
+    // Edges of the surface are drawn with its triangles.
+    draw(rows, onSurface && (faces || sides), 0);
+    draw(edges, !onSurface && sides);
+    draw(triangles, !onSurface && faces);
+    this.release();
   }
 
   /** The same step a moment later. */
@@ -204,18 +256,25 @@ export class ShapeView {
   }
 
   requestRender(): void {
+    if (this.lost || !this.compiled || this.held !== undefined) return;
     this.renderRequest ||= requestAnimationFrame(() => {
       this.renderRequest = 0;
-      const distance = this.camera.position.distanceTo(this.controls.target);
-      this.materials.shared.uDistance.value = distance;
-      this.renderer.render(this.scene, this.camera);
-      const seen = 2 * distance * Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
-      if (this.frame) this.onView(seen / this.container.clientHeight / this.frame.scale);
+      this.pace.whenFree(() => this.render());
     });
+  }
+
+  private render(): void {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.materials.shared.uDistance.value = distance;
+    this.renderer.render(this.scene, this.camera);
+    this.pace.submitted();
+    const seen = 2 * distance * Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
+    if (this.frame) this.onView(seen / this.container.clientHeight / this.frame.scale);
   }
 
   dispose(): void {
     cancelAnimationFrame(this.renderRequest);
+    this.pace.dispose();
     this.resizing.disconnect();
     this.clear();
     this.controls.dispose();
@@ -246,9 +305,11 @@ export class ShapeView {
   }
 
   private clear(): void {
+    clearTimeout(this.held);
+    this.held = undefined;
     if (this.layers) for (const layer of Object.values(this.layers)) layer.dispose();
     this.witnesses?.geometry.dispose();
-    this.frame?.texture.dispose();
+    this.positions?.dispose();
     this.scene.clear();
     this.layers = undefined;
     this.witnesses = undefined;

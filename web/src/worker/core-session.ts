@@ -1,5 +1,13 @@
 import type { Failed, ModuleRun, PlateauModule, Progress } from 'plateau-module';
-import type { CloudSource, Delta, ExportFormat, Failure, Opened, Plateaus, RunOptions } from './protocol.ts';
+import type {
+  CloudSource,
+  Delta,
+  ExportFormat,
+  Failure,
+  OpenedRun,
+  Plateaus,
+  RunOptions,
+} from './protocol.ts';
 
 /** An expected failure of the core, thrown so that the runtime answers it in one place. */
 export class CoreFailure extends Error {
@@ -22,13 +30,17 @@ export class CoreSession {
   }
 
   /** Undefined while there is more to read. */
-  open(budgetMs: number): Opened | undefined {
+  open(budgetMs: number): OpenedRun | undefined {
     const answer = unwrapped(this.run.open(budgetMs));
     return answer.kind === 'opened' ? answer.opened : undefined;
   }
 
-  advance(budgetMs: number): Progress {
-    return unwrapped(this.run.run(budgetMs, 0xffffffff));
+  advance(budgetMs: number, maxSteps = 0xffffffff): Progress {
+    return unwrapped(this.run.run(budgetMs, maxSteps));
+  }
+
+  runPastNoise(): void {
+    unwrapped(this.run.runPastNoise());
   }
 
   /** What was appended since the last call, in a size that a page digests within one frame. */

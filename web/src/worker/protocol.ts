@@ -18,6 +18,10 @@ export interface RunOptions {
   readonly untilEpsilon?: number;
   /** Drop triangles with a radius-edge ratio above this; 0 = off. */
   readonly rho?: number;
+  /** A cloud of at least this many points ends where epsilon falls to its noise; absent: never. */
+  readonly noiseStopFrom?: number;
+  /** Bytes that the run may take, if that is less than the module allows. */
+  readonly memoryLimit?: number;
 }
 
 export type CloudSource =
@@ -55,6 +59,8 @@ export type WorkerRequest =
     }
   | { readonly kind: 'pause'; readonly runId: number; readonly requestId: number }
   | { readonly kind: 'resume'; readonly runId: number; readonly requestId: number }
+  /** Lifts the stop at the noise: a run that ended there goes on. */
+  | { readonly kind: 'runPastNoise'; readonly runId: number; readonly requestId: number }
   /** What was appended since the last answer; pulled by the page, at most one under way. */
   | { readonly kind: 'fetchDelta'; readonly runId: number; readonly requestId: number }
   | { readonly kind: 'fetchPlateaus'; readonly runId: number; readonly requestId: number }
@@ -70,17 +76,36 @@ export type WorkerRequest =
 
 export type RunState = 'preparing' | 'running' | 'finished' | 'stopped';
 
-export interface Opened {
+/** What the module says of a run that it has opened. */
+export interface OpenedRun {
   readonly dimension: number;
   /** n rows of `dimension` numbers, input units. */
   readonly coordinates: Float64Array;
   readonly family: Family;
   readonly nu: readonly number[];
   readonly stepsPlanned: number;
+  /** What all planned steps are expected to take, and what the run may take. */
   readonly estimatedBytes: number;
   readonly memoryLimitBytes: number;
+  /** How many of the planned steps are expected to fit into the memory. */
+  readonly stepsAffordable: number;
   /** Readable remarks of the reader, e.g. "took columns 1-3 of 6". */
   readonly warnings: readonly string[];
+}
+
+/** The cloud moved and scaled into the unit sphere, for single precision, which would lose clouds far from the origin. */
+export interface CloudFrame {
+  /** Units of the frame for one unit of the input. */
+  readonly scale: number;
+  readonly count: number;
+  /** Four numbers a point, filled up to whole rows of FRAME_WIDTH points: a texture as it is. */
+  readonly positions: Float32Array;
+  /** Points, three numbers each, that stand out so far that what shows them shows all. */
+  readonly outline: Float32Array;
+}
+
+export interface Opened extends OpenedRun {
+  readonly frame: CloudFrame;
 }
 
 /** What one or more steps appended. Steps and the vertices of simplices are 1-based; indices into tables 0-based. */
@@ -92,6 +117,12 @@ export interface Delta {
   readonly stepCount: number;
   /** 64-bit hash of all complete steps, 16 hex digits. */
   readonly hash: string;
+  /** What the run holds now, also for steps that later deltas tell. */
+  readonly memoryBytes: number;
+  /** Where the run ends by itself: the median distance of a point to its nearest other one. 0: nowhere, or not known yet. */
+  readonly noise: number;
+  /** Finished because epsilon fell to the noise. */
+  readonly endedAtNoise: boolean;
   /** One entry a new step. */
   readonly landmark: Uint32Array;
   readonly epsilon: Float64Array;
@@ -137,6 +168,7 @@ export type WorkerEvent =
   | { readonly kind: 'opened'; readonly runId: number; readonly requestId: number; readonly opened: Opened }
   | { readonly kind: 'paused'; readonly runId: number; readonly requestId: number }
   | { readonly kind: 'resumed'; readonly runId: number; readonly requestId: number }
+  | { readonly kind: 'lifted'; readonly runId: number; readonly requestId: number }
   | { readonly kind: 'delta'; readonly runId: number; readonly requestId: number; readonly delta: Delta }
   | {
       readonly kind: 'plateaus';

@@ -1,5 +1,6 @@
 import type { PlateauModule } from 'plateau-module';
 import { CoreFailure, CoreSession } from './core-session.ts';
+import { frameOf } from './frame.ts';
 import type { WorkerEvent, WorkerRequest } from './protocol.ts';
 import { buffersOf } from './transfer.ts';
 
@@ -7,6 +8,8 @@ import { buffersOf } from './transfer.ts';
 const SLICE_MS = 12;
 /** New simplices in one delta: the page appends them well within a frame. */
 const DELTA_SIMPLICES = 30_000;
+/** The first landmarks are evaluated one by one, so that they can be drawn at once; later ones in blocks. */
+const FIRST_STEPS = 12;
 const INTERNAL = 12;
 
 type OpenRequest = Extract<WorkerRequest, { kind: 'open' }>;
@@ -15,6 +18,9 @@ interface Entry {
   readonly core: CoreSession;
   readonly openRequest: OpenRequest;
   phase: 'opening' | 'running' | 'paused' | 'done';
+  /** Whether the tree over the points stands. */
+  prepared: boolean;
+  stepsDone: number;
 }
 
 export type Post = (event: WorkerEvent, transfer: ArrayBuffer[]) => void;
@@ -51,6 +57,8 @@ export class WorkerRuntime {
           core: new CoreSession(this.module, request.source, request.options),
           openRequest: request,
           phase: 'opening',
+          prepared: false,
+          stepsDone: 0,
         });
         this.wake();
         return;
@@ -64,6 +72,15 @@ export class WorkerRuntime {
         const entry = this.entry(runId);
         if (entry.phase === 'paused') entry.phase = 'running';
         this.send({ kind: 'resumed', runId, requestId });
+        this.wake();
+        return;
+      }
+      case 'runPastNoise': {
+        const entry = this.entry(runId);
+        entry.core.runPastNoise();
+        // A run that has ended elsewhere ends again with its next slice.
+        if (entry.phase === 'done') entry.phase = 'running';
+        this.send({ kind: 'lifted', runId, requestId });
         this.wake();
         return;
       }
@@ -102,7 +119,10 @@ export class WorkerRuntime {
     if (entry.phase === 'opening') {
       this.answering(entry.openRequest, () => this.openSlice(runId, entry));
     } else {
-      const { state } = entry.core.advance(SLICE_MS);
+      const first = entry.prepared && entry.stepsDone < FIRST_STEPS;
+      const { state, stepsDone } = first ? entry.core.advance(Infinity, 1) : entry.core.advance(SLICE_MS);
+      entry.prepared = state !== 'preparing';
+      entry.stepsDone = stepsDone;
       if (state === 'finished' || state === 'stopped') entry.phase = 'done';
     }
     this.wake();
@@ -112,7 +132,9 @@ export class WorkerRuntime {
     const opened = entry.core.open(SLICE_MS);
     if (!opened) return;
     entry.phase = 'running';
-    this.send({ kind: 'opened', runId, requestId: entry.openRequest.requestId, opened });
+    const frame = frameOf(opened.coordinates, opened.dimension);
+    const { requestId } = entry.openRequest;
+    this.send({ kind: 'opened', runId, requestId, opened: { ...opened, frame } });
   }
 
   private wake(): void {

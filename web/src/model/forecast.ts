@@ -1,0 +1,110 @@
+import { grouped, readable } from './numbers.ts';
+import type { RunRecord } from './record.ts';
+
+/** Below this many steps nothing is foretold. */
+const LEAST_STEPS = 100;
+/** The rate is that of the last so many milliseconds. */
+const RATE_OVER_MS = 8_000;
+/** A cloud of this many points is a scan: it ends at its noise unless asked otherwise, and says what it takes. */
+export const SCAN_POINTS = 20_000;
+
+/** ln ε falls with ln step as over the last half of the steps; per unit of ln step. */
+function fall(record: RunRecord): number | undefined {
+  const count = record.stepCount;
+  if (count < LEAST_STEPS || record.epsilon(count) === 0) return undefined;
+  const half = count >>> 1;
+  const slope = Math.log(record.epsilon(half) / record.epsilon(count)) / Math.log(count / half);
+  return slope > 0 ? slope : undefined;
+}
+
+/** ε at a step that is not computed yet. */
+export function expectedEpsilon(record: RunRecord, step: number): number | undefined {
+  const slope = fall(record);
+  if (slope === undefined) return undefined;
+  return record.epsilon(record.stepCount) * (record.stepCount / step) ** slope;
+}
+
+/** The step at which the run will end: all landmarks, the memory, or the noise, whichever comes first. */
+export function expectedEnd(record: RunRecord): number {
+  const most = Math.max(record.stepCount, Math.min(record.stepsPlanned, record.stepsAffordable));
+  const slope = fall(record);
+  if (record.noise === 0 || slope === undefined) return most;
+  const atNoise = record.stepCount * (record.epsilon(record.stepCount) / record.noise) ** (1 / slope);
+  return Math.min(most, Math.ceil(atNoise));
+}
+
+/** Steps a second, from when they came. */
+export class StepRate {
+  private readonly seen: { at: number; steps: number }[] = [];
+
+  see(at: number, steps: number): void {
+    if (steps !== this.seen.at(-1)?.steps) this.seen.push({ at, steps });
+    while (this.seen.length > 2 && at - (this.seen[1]?.at ?? at) > RATE_OVER_MS) this.seen.shift();
+  }
+
+  /** Undefined until there is something to measure. */
+  get perSecond(): number | undefined {
+    const [first, last] = [this.seen[0], this.seen.at(-1)];
+    if (!first || !last || last.at - first.at < 500) return undefined;
+    return (1000 * (last.steps - first.steps)) / (last.at - first.at);
+  }
+}
+
+/** "about 40 s", "about 3 min", "about 2 h 10 min"; as exact as a guess deserves. */
+export function durationInWords(seconds: number): string {
+  if (seconds < 3) return 'a moment';
+  if (seconds < 60) return `about ${Math.ceil(seconds / 5) * 5} s`;
+  const minutes = Math.ceil(seconds / 60);
+  if (minutes < 60) return `about ${minutes} min`;
+  const rest = minutes % 60;
+  return `about ${Math.floor(minutes / 60)} h${rest === 0 ? '' : ` ${rest} min`}`;
+}
+
+/** "312 MB", "1.2 GB". */
+export function memoryInWords(bytes: number): string {
+  const megabytes = bytes / 2 ** 20;
+  return megabytes < 1000
+    ? `${Math.max(1, Math.round(megabytes))}\u00a0MB`
+    : `${(megabytes / 1024).toFixed(1)}\u00a0GB`;
+}
+
+/** "computed 1,234 of 100,000", and for a scan what memory and time it takes. */
+export function progressInWords(record: RunRecord, rate: number | undefined): string {
+  const parts = [`computed ${grouped(record.stepCount)} of ${grouped(record.stepsPlanned)}`];
+  if (record.frame.count < SCAN_POINTS) return parts.join('');
+  const needed = memoryInWords(Math.min(record.estimatedBytes, record.memoryLimitBytes));
+  parts.push(
+    record.memoryBytes > 0
+      ? `${memoryInWords(record.memoryBytes)} in use of about ${needed}`
+      : `about ${needed} needed`,
+  );
+  // The first landmarks change the lists of all points and say nothing of the pace of later ones.
+  if (rate !== undefined && rate > 0 && record.stepCount >= record.frame.count / 100) {
+    parts.push(`${durationInWords((expectedEnd(record) - record.stepCount) / rate)} left`);
+  }
+  return parts.join(' · ');
+}
+
+/** Rounded to two digits: 268,123 as "270,000". */
+function roughly(count: number): string {
+  return grouped(Number(count.toPrecision(2)));
+}
+
+/** What a scan will take, where its memory or its noise ends it before its last point; '' otherwise. */
+export function scanInWords(record: RunRecord, readMs: number): string {
+  const { stepsAffordable, stepsPlanned, noise, endedAtNoise } = record;
+  const sentences: string[] = [];
+  const computing = record.state === 'running' || record.state === 'preparing';
+  if (stepsAffordable < stepsPlanned && computing) {
+    const epsilon = expectedEpsilon(record, stepsAffordable);
+    const downTo = epsilon === undefined ? '' : `, down to ε ≈ ${readable(Number(epsilon.toPrecision(2)))}`;
+    sentences.push(
+      `${grouped(record.frame.count)} points, read in ${(readMs / 1000).toFixed(1)} s. ` +
+        `The memory of this page (${memoryInWords(record.memoryLimitBytes)}) is enough for about ` +
+        `${roughly(stepsAffordable)} landmarks${downTo}.`,
+    );
+  }
+  if (endedAtNoise) sentences.push(`Stopped at the noise, ε = ${readable(noise)}.`);
+  else if (noise > 0 && computing) sentences.push(`Stops at the noise, ε = ${readable(noise)}.`);
+  return sentences.join(' ');
+}
