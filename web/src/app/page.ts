@@ -146,8 +146,7 @@ export class Page {
         run.close().catch(() => undefined);
         return;
       }
-      const readMs = performance.now() - begin;
-      this.show(new RunFeed(run, this.listener()), { choice, options }, arrival, readMs);
+      this.show(new RunFeed(run, this.listener()), { choice, options }, arrival, begin);
       this.settings.show(choice, options, run.opened);
       if (!travelling) this.history.add({ choice, options });
       this.shownPlace = this.history.place;
@@ -271,7 +270,7 @@ export class Page {
       : undefined;
   }
 
-  private show(feed: RunFeed, { choice, options }: Opening, arrival: Arrival, readMs: number): void {
+  private show(feed: RunFeed, { choice, options }: Opening, arrival: Arrival, begin: number): void {
     this.film.pause();
     const before = this.shownRun();
     this.returnTo = this.step > 0 ? (this.record?.epsilon(this.step) ?? 0) : 0;
@@ -297,7 +296,7 @@ export class Page {
     this.root.dataset['source'] = choice.kind === 'sample' ? choice.shape : choice.file.name;
     this.root.dataset['step'] = '0';
     this.showRunState(feed.record);
-    this.notes.begin(feed.record, readMs);
+    this.notes.begin(feed.record, performance.now() - begin);
     feed.start();
   }
 
