@@ -8,7 +8,7 @@ import { DiagramView } from '../view/diagram-view.ts';
 import type { Failure, RunOptions } from '../worker/protocol.ts';
 import { Announcer } from './announcer.ts';
 import { CardList } from './card-list.ts';
-import { byId, setNotice } from './dom.ts';
+import { byId } from './dom.ts';
 import { EarlierRun, sameShape, type ShownRun } from './earlier-run.ts';
 import { Film } from './film.ts';
 import { Notices } from './notices.ts';
