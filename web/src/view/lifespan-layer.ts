@@ -52,20 +52,31 @@ export class LifespanLayer {
     private readonly material: RawShaderMaterial,
   ) {}
 
-  /** Uploads what the store has gained. */
-  sync(): void {
-    for (let i = this.drawn.length; i < this.store.chunks.length; ++i) {
+  /**
+   * Readies what the store has gained for the next picture, up to about so many bytes; returns how many. What is left
+   * waits for the next call.
+   */
+  sync(mostBytes: number): number {
+    let bytes = 0;
+    for (let i = this.drawn.length; i < this.store.chunks.length && bytes < mostBytes; ++i) {
       const chunk = this.store.chunks[i];
-      if (chunk) this.drawn.push(this.added(chunk));
+      if (!chunk) break;
+      this.drawn.push(this.added(chunk));
+      bytes += chunk.words.byteLength;
     }
     for (const one of this.drawn) {
+      if (bytes >= mostBytes) break;
       const dirty = one.chunk.takeDirty();
       if (dirty.length === 0) continue;
       const { stride } = one.chunk;
-      for (const { from, to } of dirty) one.buffer.addUpdateRange(from * stride, (to - from) * stride);
+      for (const { from, to } of dirty) {
+        one.buffer.addUpdateRange(from * stride, (to - from) * stride);
+        bytes += (to - from) * stride * Uint32Array.BYTES_PER_ELEMENT;
+      }
       one.buffer.needsUpdate = true;
       this.wait(one);
     }
+    return bytes;
   }
 
   /** Draws what may live at the step or died after `recent`; the shader leaves out the dead among it. */

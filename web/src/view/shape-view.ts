@@ -28,6 +28,8 @@ const LANDMARK_SHARE = 0.3;
 
 /** So long the first picture of a cloud waits for its first landmarks: a slow card would draw all points twice. */
 const HOLD_MS = 400;
+/** Buffers that one picture uploads, in bytes: more would hold the page up. */
+const BYTES_A_PICTURE = 1_500_000;
 
 /** What of the shape is drawn. */
 export interface ShownLayers {
@@ -61,6 +63,8 @@ export class ShapeView {
   private renderRequest = 0;
   private readonly pace: GpuPace;
   private lost = false;
+  /** More was gained than the last picture carried. */
+  private behind = false;
   private compiled = false;
   private held: ReturnType<typeof setTimeout> | undefined;
   private shown: ShownLayers = { witnesses: true, landmarks: true, edges: true, faces: true };
@@ -154,10 +158,12 @@ export class ShapeView {
     this.requestRender();
   }
 
-  /** Takes over what the record has gained. */
+  /** Takes over what the record has gained, as much as one picture can carry and the rest with the pictures after it. */
   sync(): void {
     if (!this.layers) return;
-    for (const layer of Object.values(this.layers)) layer.sync();
+    let left = BYTES_A_PICTURE;
+    for (const layer of Object.values(this.layers)) left -= layer.sync(Math.max(0, left));
+    this.behind = left <= 0;
   }
 
   /**
@@ -268,6 +274,10 @@ export class ShapeView {
     this.materials.shared.uDistance.value = distance;
     this.renderer.render(this.scene, this.camera);
     this.pace.submitted();
+    if (this.behind) {
+      this.sync();
+      this.requestRender();
+    }
     const seen = 2 * distance * Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
     if (this.frame) this.onView(seen / this.container.clientHeight / this.frame.scale);
   }
