@@ -82,6 +82,8 @@ export function explainTerms(root: HTMLElement): void {
     if (term) show(term);
   });
   root.addEventListener('focusout', hide);
+  // What was asked for is to be looked at.
+  root.addEventListener('change', hide);
   const follow = (): void => {
     // The focus itself may have scrolled its term into sight.
     if (shownFor && heldByFocus() && inSight(shownFor)) placeBeside(shownFor);
