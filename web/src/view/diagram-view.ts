@@ -270,8 +270,9 @@ export class DiagramView {
 
   /** A playhead that leaves the visible part of the diagram takes it along. */
   private keepInSight(): void {
-    const { clientWidth, scrollWidth, scrollLeft } = this.scroller;
-    if (!this.layout || scrollWidth <= clientWidth) return;
+    // Sizes are asked only where they matter: the answer waits for the layout of the page.
+    if (!this.layout || !this.container.classList.contains('scrolls')) return;
+    const { clientWidth, scrollLeft } = this.scroller;
     const at = this.playheadAt - scrollLeft;
     const [first, last] = [this.layout.left, clientWidth - EDGE];
     if (first <= at && at <= last) return;

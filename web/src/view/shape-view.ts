@@ -63,7 +63,9 @@ export class ShapeView {
   private renderRequest = 0;
   private readonly pace: GpuPace;
   private lost = false;
-  /** More was gained than the last picture carried. */
+  /** The next picture has buffers to upload. */
+  private loaded = false;
+  /** More was gained than it carries. */
   private behind = false;
   private compiled = false;
   private held: ReturnType<typeof setTimeout> | undefined;
@@ -161,8 +163,12 @@ export class ShapeView {
   /** Takes over what the record has gained, as much as one picture can carry and the rest with the pictures after it. */
   sync(): void {
     if (!this.layers) return;
+    // A slow card has not drawn yet what it was given before.
+    this.behind = this.loaded;
+    if (this.loaded) return;
     let left = BYTES_A_PICTURE;
     for (const layer of Object.values(this.layers)) left -= layer.sync(Math.max(0, left));
+    this.loaded = left < BYTES_A_PICTURE;
     this.behind = left <= 0;
   }
 
@@ -274,6 +280,7 @@ export class ShapeView {
     this.materials.shared.uDistance.value = distance;
     this.renderer.render(this.scene, this.camera);
     this.pace.submitted();
+    this.loaded = false;
     if (this.behind) {
       this.sync();
       this.requestRender();
