@@ -47,6 +47,12 @@ void RowSink::reserve(std::uint64_t points) {
     result_.cloud.coordinates.reserve(static_cast<std::size_t>(std::min(points, kMostReserved)) * chosen_.size());
 }
 
+Error not_a_number(std::string_view field, std::uint64_t line_number) {
+    const std::string what = field.empty() ? "an empty field" : in_quotes(field);
+    return {ErrorCode::MalformedInput,
+            "Line " + std::to_string(line_number) + " has " + what + " where a number should be."};
+}
+
 std::optional<Error> RowSink::add_fields(std::span<const std::string_view> fields, std::uint64_t line_number) {
     std::array<double, 3> point{};
     for (std::size_t axis = 0; axis < chosen_.size(); ++axis) {
@@ -56,11 +62,7 @@ std::optional<Error> RowSink::add_fields(std::span<const std::string_view> field
         }
         const std::string_view field = fields[chosen_[axis]];
         const ParsedField parsed = parse_field(field);
-        if (parsed.kind == FieldKind::NotNumber) {
-            const std::string what = field.empty() ? "an empty field" : in_quotes(field);
-            return Error{ErrorCode::MalformedInput,
-                         "Line " + std::to_string(line_number) + " has " + what + " where a number should be."};
-        }
+        if (parsed.kind == FieldKind::NotNumber) return not_a_number(field, line_number);
         if (parsed.kind == FieldKind::NotFinite) {
             return Error{ErrorCode::NotANumber, "Line " + std::to_string(line_number) + " has " + in_quotes(field) +
                                                     ", which is not a finite number."};

@@ -45,4 +45,7 @@ private:
     ReadCloud result_;
 };
 
+/// What to say of a field that is no number.
+Error not_a_number(std::string_view field, std::uint64_t line_number);
+
 }  // namespace plateau

@@ -46,6 +46,8 @@ private:
                 take_names();
                 return std::nullopt;
             }
+            // A second line of words is no table, and not a question of columns.
+            if (is_header()) return not_a_number(fields_.front(), lines_.line_number());
             width_ = static_cast<std::uint32_t>(fields_.size());
             first_row_line_ = lines_.line_number();
             if (auto error = choose_columns()) return error;

@@ -135,6 +135,12 @@ TEST(TableReader, MalformedFieldsNameTheLine) {
     EXPECT_EQ(failure("1,5;2,5\n3,5;4,5\n").code, ErrorCode::MalformedInput);
 }
 
+TEST(TableReader, ALetterIsNoQuestionOfColumns) {
+    const Error error = failure("Dear friend,\nhow are you today\n");
+    EXPECT_EQ(error.code, ErrorCode::MalformedInput);
+    EXPECT_EQ(error.message, "Line 2 has \"how\" where a number should be.");
+}
+
 TEST(TableReader, MessagesStayPrintableAndShort) {
     const Error error = failure("1 2\n3 \x01\xFF" + std::string(5000, 'a') + "\n");
     EXPECT_EQ(error.message, "Line 2 has \"??" + std::string(22, 'a') + "...\" where a number should be.");
