@@ -25,12 +25,13 @@ public:
         while (parent_[label] != label) label = parent_[label] = parent_[parent_[label]];
         return label;
     }
+    /// Both are carried by nodes.
     void join(Label a, Label b) {
         a = find(a);
         b = find(b);
         if (a == b) return;
         if (carriers_[a] < carriers_[b]) std::swap(a, b);
-        if (carriers_[b] > 0) --count_;
+        --count_;
         carriers_[a] += carriers_[b];
         parent_[b] = a;
     }

@@ -56,7 +56,7 @@ public:
                     own = root(own);
                 });
                 const bool whole = own != endless_group_ && groups_[own].waiting.first == kNone;
-                if (!whole || open_ == 1) continue;
+                if (!whole) continue;
                 groups_[own].whole = true;
                 --open_;
             }
