@@ -53,7 +53,7 @@ export const BAD_FILES: readonly BadFile[] = [
     what: 'a letter',
     name: 'letter.txt',
     content: 'Dear reader,\nthis is no point cloud.\n',
-    told: /columns/,
+    told: /number should be/,
   },
   { what: 'a picture', name: 'photo.png', content: bytes(PNG, noise(40)), told: /PNG/ },
   {
