@@ -133,7 +133,13 @@ async function valueOf(page: Page): Promise<string> {
 }
 
 /** What is typed into fields: something other than what they hold. */
-const ENTRIES: Readonly<Record<string, string>> = { nu: '1, 3, 4, 4', until: '0.9', noise: '0.02', rho: '1' };
+const ENTRIES: Readonly<Record<string, string>> = {
+  nu: '1, 3, 4, 4',
+  first: '20',
+  until: '0.9',
+  noise: '0.02',
+  rho: '1',
+};
 const DOWNLOADS = ['export-csv', 'export-ply', 'export-svg'];
 
 /** Works the control with keys alone; something must come of it. */
@@ -169,6 +175,7 @@ async function operate(page: Page, { name, kind }: Control): Promise<void> {
     await keyboard.type(ENTRIES[name] ?? '40');
     await keyboard.press('Enter');
     await opened;
+    await expect(root(page)).not.toHaveAttribute('aria-busy');
     await expect(page.getByRole('alert'), name).toBeHidden();
   } else if (kind === 'shape') {
     const picture = async (): Promise<string> => {
