@@ -35,17 +35,13 @@ public:
         carriers_[a] += carriers_[b];
         parent_[b] = a;
     }
-    /// Nodes that begin to carry the label.
-    void add(Label label, std::uint32_t nodes = 1) {
-        std::uint32_t& carriers = carriers_[find(label)];
-        if (carriers == 0) ++count_;
-        carriers += nodes;
+    /// A node begins to carry the label.
+    void add(Label label) {
+        if (carriers_[find(label)]++ == 0) ++count_;
     }
-    /// Nodes that carry it no longer.
-    void remove(Label label, std::uint32_t nodes = 1) {
-        std::uint32_t& carriers = carriers_[find(label)];
-        carriers -= nodes;
-        if (carriers == 0) --count_;
+    /// A node carries it no longer.
+    void remove(Label label) {
+        if (--carriers_[find(label)] == 0) --count_;
     }
     /// A piece has come off: its nodes, which `visit(use)` names, carry a new label. `label_of(node)` is where the
     /// node's label is kept.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,8 +18,8 @@ namespace plateau {
 /// Cost: the changes, and where pieces may have come off about their size, or the way around.
 class DynamicComponents {
 public:
-    using Node = std::uint32_t;
-    static constexpr Node kNoNode = 0xFFFFFFFFu;
+    using Node = PartSearch::Node;
+    static constexpr Node kNoNode = PartSearch::kNoNode;
 
     /// `endless`: a node with neighbors too many to visit; searches end there. Its neighbors visit it.
     explicit DynamicComponents(Node endless = kNoNode) : endless_(endless) {}
@@ -44,9 +43,8 @@ public:
         label_added();
         find_suspects();
         const auto label_of = [&](Node node) -> ComponentLabels::Label& { return states_[node].label; };
-        const auto endless = [&](Node node) { return node == endless_; };
         labels_.for_each_shared(suspects_, label_of, [&](std::span<const Node> suspects) {
-            search_.run(suspects, visit_neighbors, endless, [&](const auto& visit_piece) {
+            search_.run(suspects, visit_neighbors, endless_, [&](const auto& visit_piece) {
                 labels_.cut_off(visit_piece, label_of);
                 cut_off(visit_piece);
             });

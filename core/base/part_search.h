@@ -15,6 +15,7 @@ namespace plateau {
 class PartSearch {
 public:
     using Node = std::uint32_t;
+    static constexpr Node kNoNode = 0xFFFFFFFFu;
 
     /// For nodes 0 .. count-1.
     void resize(std::size_t count) {
@@ -24,12 +25,11 @@ public:
     }
 
     /// `suspects`: nodes of what was one part, such that every piece of it holds a suspect.
-    /// `visit_neighbors(node, use)` calls use(neighbor). `endless(node)`: one of a set of nodes that count as one and
-    /// are not walked. `piece(visit)` is called for every piece but the rest; its `visit(use)` calls use(node) for all
-    /// nodes of the piece.
-    template <class VisitNeighbors, class Endless, class Piece>
-    void run(std::span<const Node> suspects, const VisitNeighbors& visit_neighbors, const Endless& endless,
-             const Piece& piece) {
+    /// `visit_neighbors(node, use)` calls use(neighbor). `endless`: a node that is reached but not walked on from, or
+    /// kNoNode. `piece(visit)` is called for every piece but the rest; its `visit(use)` calls use(node) for all nodes
+    /// of the piece.
+    template <class VisitNeighbors, class Piece>
+    void run(std::span<const Node> suspects, const VisitNeighbors& visit_neighbors, Node endless, const Piece& piece) {
         ++now_;
         groups_.clear();
         endless_group_ = kNone;
@@ -96,16 +96,13 @@ private:
         (list.first == kNone ? list.first : next_[list.last]) = other.first;
         list.last = other.last;
     }
-    template <class Endless>
-    void reach(Node node, std::uint32_t group, const Endless& endless) {
+    void reach(Node node, std::uint32_t group, Node endless) {
         seen_[node] = now_;
         group_[node] = group;
-        if (!endless(node)) {
-            append(groups_[group].waiting, node);
-        } else if (endless_group_ == kNone) {
+        if (node == endless) {
             endless_group_ = group;
         } else {
-            merge(root(endless_group_), group);
+            append(groups_[group].waiting, node);
         }
     }
     // Both are roots, and neither is whole: a whole piece meets nobody.

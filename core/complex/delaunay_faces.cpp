@@ -2,6 +2,10 @@
 
 namespace plateau {
 
+namespace {
+constexpr std::uint32_t kNone = DelaunayLink::kNone;
+}
+
 void DelaunayFaces::update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const DelaunayLink& link,
                            const std::vector<SimplexTable>& tables) {
     faces_.resize(delaunay.cell_capacity());
@@ -18,45 +22,34 @@ void DelaunayFaces::update(Step step, const Delaunay& delaunay, const DelaunayCh
             if (cell.vertex[i] == step) apex = i;
             place[i] = link.vertex(cell.vertex[i]);
         }
+        // Edges and triangles without p are in the link, those with p stand over its vertices and edges.
         std::array<std::array<std::uint32_t, 4>, 4> edge{};  // of the link, by places in the cell
         for (std::size_t i = 0; i < corners; ++i) {
             for (std::size_t j = i + 1; j < corners; ++j) {
-                edge[i][j] = edge[j][i] = DelaunayLink::kNone;
                 if (i == apex || j == apex) {
                     const std::uint32_t other = place[i == apex ? j : i];
-                    if (other != DelaunayLink::kNone) faces.edge[kEdge[i][j]] = link.vertices()[other].born;
-                } else if (place[i] != DelaunayLink::kNone && place[j] != DelaunayLink::kNone) {
-                    edge[i][j] = edge[j][i] = link.edge(place[i], place[j]);
-                    if (edge[i][j] != DelaunayLink::kNone) faces.edge[kEdge[i][j]] = link.edges()[edge[i][j]].base;
+                    if (other != kNone) faces.edge[kEdge[i][j]] = link.vertices()[other].born;
+                } else {
+                    const std::uint32_t base = edge[i][j] = edge[j][i] = link.edge(place[i], place[j]);
+                    if (base != kNone) faces.edge[kEdge[i][j]] = link.edges()[base].base;
                 }
             }
         }
-        // The triangle opposite i, in a flat cell the cell: with p it is over an edge of the link, else in the link.
+        // The triangle opposite i; in a flat cell the cell, opposite the corner that it lacks.
         for (std::size_t i = corners == 4 ? 0 : 3; corners >= 3 && i < 4; ++i) {
-            std::array<std::size_t, 3> other{};
+            std::array<std::size_t, 3> other{};  // its corners but p
             std::size_t count = 0;
             for (std::size_t j = 0; j < 4; ++j) {
-                if (j != i) other[count++] = j;
+                if (j != i && j != apex) other[count++] = j;
             }
-            SimplexIndex triangle = kNoSimplex;
-            std::uint32_t base = DelaunayLink::kNone;
-            if (i == apex || apex == 4) {
-                base = edge[other[0]][other[1]];
-                const std::uint32_t third = place[other[2]];
-                if (base != DelaunayLink::kNone && third != DelaunayLink::kNone)
-                    base = link.triangle(base, third);
-                else
-                    base = DelaunayLink::kNone;
-                if (base != DelaunayLink::kNone) triangle = link.triangles()[base].base;
-                if (base != DelaunayLink::kNone && i == apex) faces.tetrahedron = link.triangles()[base].born;
-            } else {
-                if (other[0] == apex) base = edge[other[1]][other[2]];
-                if (other[1] == apex) base = edge[other[0]][other[2]];
-                if (other[2] == apex) base = edge[other[0]][other[1]];
-                if (base != DelaunayLink::kNone) triangle = link.edges()[base].born;
+            const std::uint32_t base = edge[other[0]][other[1]];
+            if (count == 2) {
+                if (base != kNone) faces.triangle[i] = link.edges()[base].born;
+            } else if (const std::uint32_t whole = link.triangle(base, place[other[2]]); whole != kNone) {
+                faces.triangle[i] = link.triangles()[whole].base;
+                if (i == apex) faces.tetrahedron = link.triangles()[whole].born;
             }
-            faces.triangle[i] = triangle;
-            if (triangle != kNoSimplex) facet_[triangle] = {id, static_cast<int>(i)};
+            if (faces.triangle[i] != kNoSimplex) facet_[faces.triangle[i]] = {id, static_cast<int>(i)};
         }
         if (faces.tetrahedron != kNoSimplex) cell_[faces.tetrahedron] = id;
         faces_[id] = faces;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "complex/delaunay_link.h"
@@ -34,6 +35,12 @@ public:
     SimplexIndex tetrahedron(CellId cell) const { return faces_[cell].tetrahedron; }
     /// One of the two places of a triangle that is in a spatial D(L).
     Facet facet(SimplexIndex triangle) const { return facet_[triangle]; }
+    /// The same of a triangle that may have left a spatial D(L): then none.
+    std::optional<Facet> facet_in(const Delaunay& delaunay, SimplexIndex triangle) const {
+        const Facet place = facet_[triangle];
+        const bool there = delaunay.cell(place.cell).alive && this->triangle(place.cell, place.index) == triangle;
+        return there ? std::optional(place) : std::nullopt;
+    }
     /// The cell of a tetrahedron that is in D(L).
     CellId cell(SimplexIndex tetrahedron) const { return cell_[tetrahedron]; }
     std::uint64_t memory() const;

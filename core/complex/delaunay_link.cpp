@@ -83,6 +83,7 @@ void DelaunayLink::build(Step step, const Delaunay& delaunay, const DelaunayChan
 }
 
 std::uint32_t DelaunayLink::triangle(std::uint32_t edge, std::uint32_t third) const {
+    if (edge == kNone) return kNone;
     const Edge& base = edges_[edge];
     for (const std::uint32_t place : base.triangle) {
         if (place == kNone) continue;

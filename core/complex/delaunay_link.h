@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "complex/simplex_table.h"
@@ -58,9 +59,10 @@ public:
     std::uint32_t vertex(Step landmark) const {
         return place_[landmark].step == step_ ? place_[landmark].place : kNone;
     }
-    /// Place of the edge between two vertices given by place, in any order, or kNone.
+    /// Place of the edge between two vertices given by place, in any order, or kNone; also where one of them is kNone.
     std::uint32_t edge(std::uint32_t a, std::uint32_t b) const {
         if (a > b) std::swap(a, b);
+        if (b == kNone) return kNone;
         for (std::size_t slot = hash(a, b);; slot = (slot + 1) & mask_) {
             const std::uint32_t place = slots_[slot].step == step_ ? slots_[slot].place : kNone;
             if (place == kNone || (edges_[place].a == a && edges_[place].b == b)) return place;
@@ -80,7 +82,7 @@ public:
         vertices_[marked.a].waiting[track] &= ~(std::uint64_t{1} << marked.b);
         vertices_[marked.b].waiting[track] &= ~(std::uint64_t{1} << marked.a);
     }
-    /// Place of the triangle of an edge with this third vertex, or kNone.
+    /// Place of the triangle of an edge with this third vertex, or kNone; also where one of them is kNone.
     std::uint32_t triangle(std::uint32_t edge, std::uint32_t third) const;
 
 private:

@@ -46,10 +46,9 @@ void ComplementComponents::open_deaths(const Context& context, std::span<const D
             flags_[cell] &= static_cast<std::uint8_t>(~kSolid);
             components_.add_node(node(cell));
         } else {
-            const auto [cell, index] = context.faces.facet(death.simplex);
-            const bool there =
-                context.delaunay.cell(cell).alive && context.faces.triangle(cell, index) == death.simplex;
-            if (!there) continue;
+            const auto facet = context.faces.facet_in(context.delaunay, death.simplex);
+            if (!facet) continue;
+            const auto [cell, index] = *facet;
             const CellId neighbor = context.delaunay.cell(cell).neighbor[static_cast<std::size_t>(index)];
             const int mirror = context.delaunay.cell(neighbor).index_of_neighbor(cell);
             flags_[cell] &= static_cast<std::uint8_t>(~(1u << index));

@@ -63,14 +63,12 @@ void OuterRegion::add_born(const Context& context) {
 
 // Facets between cells that stay.
 void OuterRegion::change_facets(const Context& context) {
-    const auto stays = [&](CellId cell) {
-        return context.delaunay.cell(cell).alive && cells_[cell].born != context.step;
-    };
+    const auto stays = [&](CellId cell) { return cells_[cell].born != context.step; };
     const auto visit = [&](SimplexIndex triangle, const auto& use) {
-        const auto [cell, index] = context.faces.facet(triangle);
-        if (!stays(cell) || context.faces.triangle(cell, index) != triangle) return;
-        const CellId neighbor = context.delaunay.cell(cell).neighbor[static_cast<std::size_t>(index)];
-        if (stays(neighbor)) use(cell, neighbor);
+        const auto facet = context.faces.facet_in(context.delaunay, triangle);
+        if (!facet) return;
+        const CellId neighbor = context.delaunay.cell(facet->cell).neighbor[static_cast<std::size_t>(facet->index)];
+        if (stays(facet->cell) && stays(neighbor)) use(facet->cell, neighbor);
     };
     for (const SimplexIndex triangle : context.peeling.entered()) {
         visit(triangle, [&](CellId a, CellId b) { components_.remove_edge(node(a), node(b)); });

@@ -183,13 +183,12 @@ test('a scan is drawn at once, stops at its noise, goes on, and is scrubbed with
           requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve, 100))),
         ),
     );
-  // A picture carries a part of what was gained: the last ones may be on their way.
   const uploads = async (): Promise<number> => (await seenBy(page)).uploads;
-  let before = -1;
-  while (before !== (await uploads())) {
-    before = await uploads();
-    await page.waitForTimeout(FULL ? 20_000 : 1000);
-  }
+  // A picture carries a part of what was gained: the last ones may be on their way.
+  await expect(page.locator('#shape')).toHaveAttribute('aria-busy', 'false', {
+    timeout: FULL ? 600_000 : 60_000,
+  });
+  const before = await uploads();
   console.log(`uploaded ${Math.round((await seenBy(page)).uploadedBytes / 1e6)} MB in all`);
   const places = FULL ? 10 : 8;
   for (let place = 0; place <= places; ++place) {

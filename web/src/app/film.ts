@@ -58,7 +58,6 @@ export class Film {
     const next = this.playback.advance(record, currentStep, elapsedMs);
     const recent = this.calm.matches ? next : this.afterglow.follow(next, elapsedMs);
     this.screen.showFrame(next, recent);
-    const complete = record.state === 'finished' || record.state === 'stopped';
-    if (complete && next >= record.stepCount && recent === next) this.pause();
+    if (record.ended && next >= record.stepCount && recent === next) this.pause();
   }
 }

@@ -322,9 +322,8 @@ export class Page {
   private grown(): void {
     const { record } = this;
     if (!record) return;
-    const ended = record.state === 'finished' || record.state === 'stopped';
     const first = this.step === 0 && record.stepCount > 0;
-    if (ended || first || performance.now() >= this.picturesDue) {
+    if (record.ended || first || performance.now() >= this.picturesDue) {
       this.picturesDue = performance.now() + PICTURES_EVERY_MS;
       this.shape?.sync();
       this.transport.setSteps(record.stepCount);
@@ -349,7 +348,7 @@ export class Page {
     if (!record) return;
     this.cards = cards;
     this.diagram.setCards(cards);
-    this.cardList.show(cards, record.state === 'finished' || record.state === 'stopped');
+    this.cardList.show(cards, record.ended);
     if (this.step > 0) this.cardList.mark(record.summary(this.step));
   }
 

@@ -57,10 +57,6 @@ export class RunFeed {
     this.run.close().catch(() => undefined);
   }
 
-  private get ended(): boolean {
-    return this.record.state === 'finished' || this.record.state === 'stopped';
-  }
-
   private async pull(): Promise<void> {
     let cardsDue = 0;
     while (!this.stopped) {
@@ -68,14 +64,14 @@ export class RunFeed {
       if (this.stopped) return;
       this.record.append(delta);
       this.listener.grown();
-      if (this.ended || performance.now() >= cardsDue) {
+      if (this.record.ended || performance.now() >= cardsDue) {
         const plateaus = await this.run.fetchPlateaus();
         if (this.stopped) return;
         this.listener.cardsFound(this.cards.ranked(plateaus));
         cardsDue = performance.now() + CARDS_EVERY_MS;
       }
       // Asked again: the stop at the noise may have been lifted meanwhile.
-      if (this.ended) {
+      if (this.record.ended) {
         this.listener.ended(delta.stopped);
         return;
       }

@@ -34,7 +34,7 @@ export class RunNotes {
     const { record } = this;
     if (!record) return;
     const now = performance.now();
-    const computing = record.state === 'running' || record.state === 'preparing';
+    const computing = !record.ended;
     this.rate.see(now, record.stepCount);
     if (computing && now < this.wordsDue) return;
     this.wordsDue = now + WORDS_EVERY_MS;

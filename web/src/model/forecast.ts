@@ -94,7 +94,7 @@ function roughly(count: number): string {
 export function scanInWords(record: RunRecord, readMs: number): string {
   const { stepsAffordable, stepsPlanned, noise, endedAtNoise } = record;
   const sentences: string[] = [];
-  const computing = record.state === 'running' || record.state === 'preparing';
+  const computing = !record.ended;
   if (stepsAffordable < stepsPlanned && computing) {
     const epsilon = expectedEpsilon(record, stepsAffordable);
     const downTo = epsilon === undefined ? '' : `, down to ε ≈ ${readable(Number(epsilon.toPrecision(2)))}`;

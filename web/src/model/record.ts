@@ -68,6 +68,11 @@ export class RunRecord {
     this.triangles = new LifespanStore(3, tracks);
   }
 
+  /** No further step comes by itself. */
+  get ended(): boolean {
+    return this.state === 'finished' || this.state === 'stopped';
+  }
+
   append(delta: Delta): void {
     if (delta.firstStep !== this.stepCount + 1) {
       throw new Error(`steps from ${delta.firstStep} do not follow step ${this.stepCount}`);

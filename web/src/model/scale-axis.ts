@@ -69,8 +69,7 @@ export function axisOf(record: RunRecord): ScaleAxis {
   if (count === 0) return { low: 0, computed: 0, high: 1 };
   const low = scaleOf(record, 1);
   const computed = scaleOf(record, count) + TAIL;
-  const complete = record.state === 'finished' || record.state === 'stopped';
-  if (complete || count >= record.stepsPlanned)
+  if (record.ended || count >= record.stepsPlanned)
     return { low, computed, high: Math.max(computed, low + TAIL) };
   const half = Math.max(1, count >>> 1);
   const slope = count > half ? (scaleOf(record, count) - scaleOf(record, half)) / Math.log(count / half) : 1;

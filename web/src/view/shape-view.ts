@@ -170,6 +170,12 @@ export class ShapeView {
     for (const layer of Object.values(this.layers)) left -= layer.sync(Math.max(0, left));
     this.loaded = left < BYTES_A_PICTURE;
     this.behind = left <= 0;
+    this.showBusy();
+    if (this.loaded) this.requestRender();
+  }
+
+  private showBusy(): void {
+    this.container.ariaBusy = String(this.loaded || this.behind);
   }
 
   /**
@@ -281,10 +287,8 @@ export class ShapeView {
     this.renderer.render(this.scene, this.camera);
     this.pace.submitted();
     this.loaded = false;
-    if (this.behind) {
-      this.sync();
-      this.requestRender();
-    }
+    if (this.behind) this.sync();
+    this.showBusy();
     const seen = 2 * distance * Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
     if (this.frame) this.onView(seen / this.container.clientHeight / this.frame.scale);
   }
