@@ -7,10 +7,12 @@
 namespace plateau {
 
 Result<PointCloud> validated(PointCloud cloud) {
+    if (cloud.dimension == 0 && cloud.distances.size > 0) return cloud;
     if (cloud.coordinates.empty()) return Error{ErrorCode::EmptyInput, "The point cloud is empty."};
-    if (cloud.dimension != 2 && cloud.dimension != 3) {
-        return Error{ErrorCode::UnsupportedDimension,
-                     "Points have " + std::to_string(cloud.dimension) + " coordinates; this version takes 2 or 3."};
+    if (cloud.dimension < 2) {
+        return Error{ErrorCode::UnsupportedDimension, "Points have " + std::to_string(cloud.dimension) +
+                                                          (cloud.dimension == 1 ? " coordinate" : " coordinates") +
+                                                          "; they need at least 2."};
     }
     if (cloud.coordinates.size() % cloud.dimension != 0) {
         return Error{ErrorCode::RaggedRows,

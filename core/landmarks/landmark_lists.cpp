@@ -1,143 +1,85 @@
 #include "landmarks/landmark_lists.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace plateau {
 
 namespace {
 
-constexpr std::uint32_t kLeafSize = 8;
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Rounding is monotone, so this never exceeds the rounded distance to a point in the box: pruning loses nothing.
-double box_distance_squared(const std::array<double, 3>& low, const std::array<double, 3>& high,
-                            const std::array<double, 3>& p) {
-    double sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        double gap = 0;
-        if (p[axis] < low[axis]) gap = low[axis] - p[axis];
-        if (p[axis] > high[axis]) gap = p[axis] - high[axis];
-        sum += gap * gap;
-    }
-    return sum;
-}
-
-double point_distance_squared(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    const double dx = a[0] - b[0];
-    const double dy = a[1] - b[1];
-    const double dz = a[2] - b[2];
-    return dx * dx + dy * dy + dz * dz;
-}
-
 }  // namespace
 
-LandmarkLists::LandmarkLists(const PointCloud& cloud, std::uint32_t kappa) : cloud_(&cloud), kappa_(kappa) {
-    input_index_.resize(cloud.size());
-    std::iota(input_index_.begin(), input_index_.end(), 0u);
-    pending_.push_back({0, cloud.size(), kNone});
-}
+LandmarkLists::LandmarkLists(const PointCloud& cloud, std::uint32_t kappa)
+    : size_(cloud.size()), kappa_(kappa), tree_(cloud) {}
+
+LandmarkLists::LandmarkLists(std::unique_ptr<DistanceRows> rows, std::uint32_t witnesses, std::uint32_t kappa)
+    : size_(witnesses), kappa_(kappa), rows_(std::move(rows)), row_(witnesses) {}
 
 bool LandmarkLists::prepare(const Deadline& deadline) {
-    for (bool first = true; !pending_.empty(); first = false) {
-        if (!first && deadline.passed()) return false;
-        const PendingRange range = pending_.back();
-        pending_.pop_back();
-        const auto index = static_cast<std::uint32_t>(nodes_.size());
-        if (range.parent != kNone) nodes_[range.parent].right = index;
-
-        Node node{{kInfinity, kInfinity, kInfinity},
-                  {-kInfinity, -kInfinity, -kInfinity},
-                  kInfinity,
-                  kInfinity,
-                  kNone,
-                  range.begin,
-                  range.end,
-                  0};
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const auto point = cloud_->point(input_index_[i]);
-            for (std::uint32_t axis = 0; axis < 3; ++axis) {
-                const double coordinate = axis < cloud_->dimension ? point[axis] : 0.0;
-                node.low[axis] = std::min(node.low[axis], coordinate);
-                node.high[axis] = std::max(node.high[axis], coordinate);
-            }
-        }
-        nodes_.push_back(node);
-
-        if (range.end - range.begin <= kLeafSize) {
-            // nth_element leaves its halves in a library's own order.
-            std::sort(input_index_.begin() + range.begin, input_index_.begin() + range.end);
-            continue;
-        }
-        std::uint32_t widest = 0;
-        for (std::uint32_t axis = 1; axis < cloud_->dimension; ++axis) {
-            if (node.high[axis] - node.low[axis] > node.high[widest] - node.low[widest]) widest = axis;
-        }
-        split(range.begin, range.end, widest);
-        const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
-        pending_.push_back({middle, range.end, index});
-        pending_.push_back({range.begin, middle, kNone});
+    const bool ready = tree_ ? tree_->prepare(deadline) : rows_->prepare(deadline);
+    if (ready && extremes_.empty()) {
+        extremes_.assign(tree_ ? tree_->node_count() : 1, {kInfinity, kInfinity, kNone});
+        comparable_.assign(static_cast<std::size_t>(size_) * kappa_, kInfinity);
+        steps_.assign(static_cast<std::size_t>(size_) * kappa_, 0);
     }
-    if (witness_of_.empty()) {
-        const std::uint32_t n = size();
-        witness_of_.resize(n);
-        points_.resize(n);
-        for (WitnessId w = 0; w < n; ++w) {
-            witness_of_[input_index_[w]] = w;
-            const auto point = cloud_->point(input_index_[w]);
-            points_[w] = {point[0], point[1], cloud_->dimension > 2 ? point[2] : 0.0};
-        }
-        distances_.assign(static_cast<std::size_t>(n) * kappa_, kInfinity);
-        steps_.assign(static_cast<std::size_t>(n) * kappa_, 0);
-    }
-    return true;
+    return ready;
 }
 
-void LandmarkLists::split(std::uint32_t begin, std::uint32_t end, std::uint32_t axis) {
-    const auto first = input_index_.begin();
-    std::nth_element(first + begin, first + begin + (end - begin) / 2, first + end,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                         const double xa = cloud_->point(a)[axis];
-                         const double xb = cloud_->point(b)[axis];
-                         return xa < xb || (xa == xb && a < b);
-                     });
+double LandmarkLists::distance(double comparable) const {
+    return tree_ ? std::sqrt(comparable) : rows_->distance(comparable);
 }
 
 std::span<const ListEntry> LandmarkLists::insert(std::uint32_t input_index, std::uint32_t step) {
     entries_.clear();
-    visit(0, points_[witness_of_[input_index]], step);
+    if (tree_) {
+        const double* p = tree_->point(tree_->position(input_index));
+        tree_->with_axes([&](auto axes) { visit(0, p, step, axes); });
+    } else {
+        rows_->fill(input_index, Limits(comparable_.data() + kappa_ - 1, kappa_), row_);
+        visit_leaf(
+            0, size_, extremes_.front(), step, [&](WitnessId w) { return row_[w]; }, [](WitnessId w) { return w; });
+    }
     return entries_;
 }
 
-bool LandmarkLists::visit(std::uint32_t node_index, const Point& p, std::uint32_t step) {
-    Node& node = nodes_[node_index];
-    if (box_distance_squared(node.low, node.high, p) >= node.largest_last) return false;
+template <class Axes>
+bool LandmarkLists::visit(std::uint32_t node_index, const double* p, std::uint32_t step, Axes axes) {
+    Extremes& extremes = extremes_[node_index];
+    if (tree_->box_distance_squared(node_index, p, axes) >= extremes.largest_last) return false;
+    const KdTree::Node& node = tree_->node(node_index);
     if (node.right == 0) {
         const std::size_t before = entries_.size();
-        visit_leaf(node, p, step);
+        visit_leaf(
+            node.begin, node.end, extremes, step,
+            [&](WitnessId w) { return tree_->point_distance_squared(w, p, axes); },
+            [&](WitnessId w) { return tree_->input_index(w); });
         return entries_.size() > before;
     }
-    const bool changed_left = visit(node_index + 1, p, step);
-    const bool changed_right = visit(node.right, p, step);
+    const bool changed_left = visit(node_index + 1, p, step, axes);
+    const bool changed_right = visit(node.right, p, step, axes);
     if (!changed_left && !changed_right) return false;
-    const Node& left = nodes_[node_index + 1];
-    const Node& right = nodes_[node.right];
-    node.largest_last = std::max(left.largest_last, right.largest_last);
+    const Extremes& left = extremes_[node_index + 1];
+    const Extremes& right = extremes_[node.right];
+    extremes.largest_last = std::max(left.largest_last, right.largest_last);
     const bool left_wins = left.largest_first > right.largest_first ||
                            (left.largest_first == right.largest_first && left.farthest < right.farthest);
-    node.largest_first = left_wins ? left.largest_first : right.largest_first;
-    node.farthest = left_wins ? left.farthest : right.farthest;
+    extremes.largest_first = left_wins ? left.largest_first : right.largest_first;
+    extremes.farthest = left_wins ? left.farthest : right.farthest;
     return true;
 }
 
-void LandmarkLists::visit_leaf(Node& node, const Point& p, std::uint32_t step) {
-    node.largest_first = -1;
-    node.largest_last = -1;
-    for (WitnessId w = node.begin; w < node.end; ++w) {
-        double* distances = distances_.data() + static_cast<std::size_t>(w) * kappa_;
-        const double distance = point_distance_squared(points_[w], p);
+template <class Comparable, class InputIndex>
+void LandmarkLists::visit_leaf(WitnessId begin, WitnessId end, Extremes& extremes, std::uint32_t step,
+                               const Comparable& comparable, const InputIndex& index_of) {
+    extremes = {-1, -1, kNone};
+    for (WitnessId w = begin; w < end; ++w) {
+        double* distances = comparable_.data() + static_cast<std::size_t>(w) * kappa_;
+        const double distance = comparable(w);
         if (distance < distances[kappa_ - 1]) {
             std::uint32_t* steps = steps_.data() + static_cast<std::size_t>(w) * kappa_;
             std::uint32_t rank = kappa_ - 1;
@@ -150,36 +92,34 @@ void LandmarkLists::visit_leaf(Node& node, const Point& p, std::uint32_t step) {
             steps[rank] = step;
             entries_.push_back({w, rank, dropped});
         }
-        const bool farther = distances[0] > node.largest_first ||
-                             (distances[0] == node.largest_first && input_index_[w] < node.farthest);
+        const bool farther = distances[0] > extremes.largest_first ||
+                             (distances[0] == extremes.largest_first && index_of(w) < extremes.farthest);
         if (farther) {
-            node.largest_first = distances[0];
-            node.farthest = input_index_[w];
+            extremes.largest_first = distances[0];
+            extremes.farthest = index_of(w);
         }
-        node.largest_last = std::max(node.largest_last, distances[kappa_ - 1]);
+        extremes.largest_last = std::max(extremes.largest_last, distances[kappa_ - 1]);
     }
 }
 
-double LandmarkLists::nearest_other_squared(WitnessId witness) const {
+double LandmarkLists::nearest_other_comparable(WitnessId witness) const {
+    if (tree_) return tree_->nearest_other_squared(witness);
+    rows_->fill(witness, {}, row_);
     double nearest = kInfinity;
-    search(0, witness, nearest);
+    for (WitnessId other = 0; other < size_; ++other) {
+        if (other != witness) nearest = std::min(nearest, row_[other]);
+    }
     return nearest;
 }
 
-void LandmarkLists::search(std::uint32_t node_index, WitnessId witness, double& nearest) const {
-    const Node& node = nodes_[node_index];
-    const Point& p = points_[witness];
-    if (box_distance_squared(node.low, node.high, p) >= nearest) return;
-    if (node.right == 0) {
-        for (WitnessId other = node.begin; other < node.end; ++other) {
-            if (other != witness) nearest = std::min(nearest, point_distance_squared(points_[other], p));
-        }
-        return;
-    }
-    // The half that holds the witness first: it bounds the search in the other.
-    const bool in_right = witness >= nodes_[node.right].begin;
-    search(in_right ? node.right : node_index + 1, witness, nearest);
-    search(in_right ? node_index + 1 : node.right, witness, nearest);
+std::uint64_t LandmarkLists::memory() const {
+    // Of the tree what is certain in three dimensions, and what every further axis adds to points and boxes.
+    constexpr std::uint64_t kBytesPerPoint = 40;
+    constexpr std::uint64_t kBytesPerAxis = 22;
+    std::uint64_t bytes = std::uint64_t{size_} * kappa_ * (sizeof(double) + sizeof(std::uint32_t));
+    if (!tree_) return bytes + rows_->memory() + row_.capacity() * sizeof(double);
+    const std::uint64_t more_axes = std::max(tree_->dimension(), 3u) - 3;
+    return bytes + size_ * (kBytesPerPoint + kBytesPerAxis * more_axes);
 }
 
 }  // namespace plateau

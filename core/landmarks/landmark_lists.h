@@ -1,12 +1,15 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/deadline.h"
+#include "cloud/kd_tree.h"
 #include "cloud/point_cloud.h"
+#include "metrics/distance_rows.h"
 
 namespace plateau {
 
@@ -23,78 +26,82 @@ struct ListEntry {
 /// The landmark list of every witness: its min(i, kappa) nearest landmarks by (distance, step), and the farthest
 /// witness, kept under insertion of landmarks [GO 4.1, 4.2].
 ///
-/// A static k-d tree over the witnesses whose nodes hold the largest first and the largest kappa-th distance below
-/// them: the root names the farthest witness, and an insertion descends only where the box is nearer than the largest
-/// kappa-th distance. About 5.5 n ln n list changes in all, each O(kappa), plus O(log n) nodes around them.
+/// Euclidean distances: a static k-d tree over the witnesses whose nodes hold the largest first and the largest
+/// kappa-th distance below them. The root names the farthest witness, and an insertion descends only where the box is
+/// nearer than the largest kappa-th distance. About 5.5 n ln n list changes in all, each O(kappa), plus O(log n) nodes
+/// around them.
 ///
+/// Any other distances: one row of them a landmark, which is scanned as one leaf of such a tree. O(n) an insertion.
+///
+/// Distances are kept and compared as comparable ones (see DistanceRows), squared in the tree.
 /// Ties: equal distances keep the earlier landmark in front; of equally far witnesses the lowest input index is
 /// farthest.
 class LandmarkLists {
 public:
-    /// `cloud` must outlive the lists; kappa >= 1. The tree is built by prepare().
+    /// Euclidean, by the tree. `cloud` must outlive the lists; kappa >= 1. The tree is built by prepare().
     LandmarkLists(const PointCloud& cloud, std::uint32_t kappa);
+    /// By the rows of `witnesses` witnesses; kappa >= 1.
+    LandmarkLists(std::unique_ptr<DistanceRows> rows, std::uint32_t witnesses, std::uint32_t kappa);
 
-    /// Builds the tree until the deadline passes, at least a node of it; true when it is complete. Cost in all: O(n log
-    /// n).
+    /// Builds until the deadline passes, at least a small part; true when nothing is left to do. Cost in all: O(n log
+    /// n) for the tree.
     bool prepare(const Deadline& deadline);
+    /// Why there are no distances, once prepared; then nothing can be inserted.
+    std::optional<Error> failure() const { return rows_ ? rows_->failure() : std::nullopt; }
 
     /// Inserts the landmark with this input index at the given step (1-based, consecutive). The entries name the
     /// witnesses whose list it entered, in tree order; valid until the next call.
     std::span<const ListEntry> insert(std::uint32_t input_index, std::uint32_t step);
 
     /// Input index of the witness farthest from its nearest landmark. After the first insertion.
-    std::uint32_t farthest() const { return nodes_.front().farthest; }
-    /// Its squared distance: epsilon squared.
-    double farthest_distance_squared() const { return nodes_.front().largest_first; }
+    std::uint32_t farthest() const { return extremes_.front().farthest; }
+    /// How far it is, comparable; distance() of it is epsilon.
+    double farthest_comparable() const { return extremes_.front().largest_first; }
+    /// The distance of a comparable one, in input units.
+    double distance(double comparable) const;
 
-    /// Squared distance of a witness to the nearest other witness, landmark or not; infinity where there is none. Once
-    /// prepared. Cost: O(log n) on the average.
-    double nearest_other_squared(WitnessId witness) const;
+    /// Comparable distance of a witness to the nearest other witness, landmark or not; infinity where there is none.
+    /// Once prepared. Cost: O(log n) on the average by the tree, else a row.
+    double nearest_other_comparable(WitnessId witness) const;
 
     std::uint32_t kappa() const { return kappa_; }
-    std::uint32_t size() const { return static_cast<std::uint32_t>(input_index_.size()); }
-    std::uint32_t input_index(WitnessId witness) const { return input_index_[witness]; }
+    std::uint32_t size() const { return size_; }
+    std::uint32_t input_index(WitnessId witness) const { return tree_ ? tree_->input_index(witness) : witness; }
     /// Tree position of the point with this input index.
-    WitnessId witness(std::uint32_t input_index) const { return witness_of_[input_index]; }
+    WitnessId witness(std::uint32_t input_index) const { return tree_ ? tree_->position(input_index) : input_index; }
     /// Steps of the witness's nearest landmarks, nearest first; kappa of them, 0 beyond the landmarks so far.
     std::span<const std::uint32_t> list(WitnessId witness) const {
         return {steps_.data() + static_cast<std::size_t>(witness) * kappa_, kappa_};
     }
-    /// Squared distances of the same landmarks; infinity beyond the landmarks so far.
-    std::span<const double> distances_squared(WitnessId witness) const {
-        return {distances_.data() + static_cast<std::size_t>(witness) * kappa_, kappa_};
+    /// Comparable distances of the same landmarks; infinity beyond the landmarks so far.
+    std::span<const double> comparable_distances(WitnessId witness) const {
+        return {comparable_.data() + static_cast<std::size_t>(witness) * kappa_, kappa_};
     }
+    /// Bytes held for the distances: tree or rows, and lists.
+    std::uint64_t memory() const;
 
 private:
-    using Point = std::array<double, 3>;  // a plane point has z = 0, which adds nothing to a squared distance
-    struct Node {
-        Point low, high;
+    /// Of the witnesses below a node.
+    struct Extremes {
         double largest_first;
         double largest_last;  // of the kappa-th distances
         std::uint32_t farthest;
-        std::uint32_t begin, end;  // witnesses below
-        std::uint32_t right;       // index of the second child, 0 at a leaf; the first child follows its parent
     };
 
-    bool visit(std::uint32_t node_index, const Point& p, std::uint32_t step);
-    void visit_leaf(Node& node, const Point& p, std::uint32_t step);
-    void search(std::uint32_t node_index, WitnessId witness, double& nearest) const;
-    void split(std::uint32_t begin, std::uint32_t end, std::uint32_t axis);
+    template <class Axes>
+    bool visit(std::uint32_t node_index, const double* p, std::uint32_t step, Axes axes);
+    template <class Comparable, class InputIndex>
+    void visit_leaf(WitnessId begin, WitnessId end, Extremes& extremes, std::uint32_t step,
+                    const Comparable& comparable, const InputIndex& index_of);
 
-    struct PendingRange {
-        std::uint32_t begin, end;
-        std::uint32_t parent;  // whose `right` this range becomes, or kNone
-    };
-
-    const PointCloud* cloud_;
+    std::uint32_t size_;
     std::uint32_t kappa_;
-    std::vector<std::uint32_t> input_index_;
-    std::vector<WitnessId> witness_of_;
-    std::vector<Point> points_;  // by witness
-    std::vector<double> distances_;
+    std::optional<KdTree> tree_;  // one of these two
+    std::unique_ptr<DistanceRows> rows_;
+    mutable std::vector<double> row_;  // scratch
+    std::vector<double> comparable_;
     std::vector<std::uint32_t> steps_;
-    std::vector<Node> nodes_;
-    std::vector<PendingRange> pending_;
+    std::vector<Extremes> extremes_;  // by node; the scan has one
     std::vector<ListEntry> entries_;
 };
 

@@ -1,18 +1,17 @@
 #include "landmarks/noise_scale.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace plateau {
 
 namespace {
 
 /// The order of the numbers around the middle does not count, so any algorithm gives the same.
-double median_root(std::vector<double>& squares) {
-    const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-    std::nth_element(squares.begin(), middle, squares.end());
-    if (squares.size() % 2 == 1) return std::sqrt(*middle);
-    return (std::sqrt(*std::max_element(squares.begin(), middle)) + std::sqrt(*middle)) / 2;
+double median_distance(std::vector<double>& comparable, const LandmarkLists& lists) {
+    const auto middle = comparable.begin() + static_cast<std::ptrdiff_t>(comparable.size() / 2);
+    std::nth_element(comparable.begin(), middle, comparable.end());
+    if (comparable.size() % 2 == 1) return lists.distance(*middle);
+    return (lists.distance(*std::max_element(comparable.begin(), middle)) + lists.distance(*middle)) / 2;
 }
 
 }  // namespace
@@ -20,16 +19,16 @@ double median_root(std::vector<double>& squares) {
 bool NoiseScale::advance(const Deadline& deadline) {
     constexpr std::size_t kWitnessesAtOnce = 64;
     const std::size_t count = lists_->size();
-    distances_squared_.reserve(count);
+    comparable_.reserve(count);
     do {
-        const std::size_t end = std::min(count, distances_squared_.size() + kWitnessesAtOnce);
-        for (std::size_t w = distances_squared_.size(); w < end; ++w) {
-            distances_squared_.push_back(lists_->nearest_other_squared(static_cast<WitnessId>(w)));
+        const std::size_t end = std::min(count, comparable_.size() + kWitnessesAtOnce);
+        for (std::size_t w = comparable_.size(); w < end; ++w) {
+            comparable_.push_back(lists_->nearest_other_comparable(static_cast<WitnessId>(w)));
         }
-    } while (distances_squared_.size() < count && !deadline.passed());
-    if (distances_squared_.size() < count) return false;
-    epsilon_ = median_root(distances_squared_);
-    distances_squared_ = {};
+    } while (comparable_.size() < count && !deadline.passed());
+    if (comparable_.size() < count) return false;
+    epsilon_ = median_distance(comparable_, *lists_);
+    comparable_ = {};
     return true;
 }
 

@@ -10,7 +10,8 @@ namespace plateau {
 /// The noise of a cloud: the median over its witnesses of the distance to the nearest other witness, in input units.
 /// Duplicates count as they are, at distance 0; of an even number of witnesses the mean of the middle two counts.
 ///
-/// Asks the tree that the landmark lists stand on, so that no second one is built. Cost: O(n log n), in slices.
+/// Asks what the landmark lists stand on, so that no second tree is built. Cost: O(n log n) with the tree, else n rows;
+/// in slices.
 class NoiseScale {
 public:
     /// `lists` must be prepared and outlive this.
@@ -22,11 +23,14 @@ public:
 
     /// Landmarks that can be inserted before epsilon may fall to the noise: at least n / 2 witnesses lie at least that
     /// far from each other, and a ball of that radius holds at most 13 such, so n / 26 balls are needed to hold all.
-    static std::uint32_t safe_landmarks(std::uint32_t witnesses) { return witnesses / 100; }
+    /// That is so for Euclidean distances up to space; elsewhere a ball can hold any number, and none is safe.
+    static std::uint32_t safe_landmarks(const PointCloud& cloud, Metric metric) {
+        return metric == Metric::Euclidean && cloud.dimension <= 3 ? cloud.size() / 100 : 0;
+    }
 
 private:
     const LandmarkLists* lists_;
-    std::vector<double> distances_squared_;
+    std::vector<double> comparable_;
     double epsilon_ = 0;
 };
 

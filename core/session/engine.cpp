@@ -16,18 +16,24 @@ std::uint32_t largest_entry(const std::vector<std::vector<std::uint32_t>>& nu) {
     return largest;
 }
 
+LandmarkLists lists_of(const PointCloud& cloud, const EngineOptions& options) {
+    const std::uint32_t kappa = largest_entry(options.nu);
+    if (options.metric.metric == Metric::Euclidean) return {cloud, kappa};
+    return {make_distance_rows(cloud, options.metric), cloud.size(), kappa};
+}
+
 }  // namespace
 
 Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
     : cloud_(&cloud),
       options_(options),
-      lists_(cloud, largest_entry(options.nu)),
-      complex_(options.nu, static_cast<int>(cloud.dimension), cloud.size()) {
-    timeline_.dimension = cloud.dimension;
+      lists_(lists_of(cloud, options)),
+      complex_(options.nu, static_cast<int>(options.dimension), cloud.size()) {
+    timeline_.dimension = options.dimension;
     timeline_.family = options.family;
     timeline_.track_count = static_cast<int>(options.nu.size());
-    timeline_.simplices.resize(cloud.dimension);
-    for (std::uint32_t k = 1; k <= cloud.dimension; ++k) timeline_.simplices[k - 1].dimension = static_cast<int>(k);
+    timeline_.simplices.resize(options.dimension);
+    for (std::uint32_t k = 1; k <= options.dimension; ++k) timeline_.simplices[k - 1].dimension = static_cast<int>(k);
 
     const bool follows_surface = options.family == Family::Surface || options.family == Family::Auto;
     if (options.family != Family::Witness) delaunay_.emplace(cloud.dimension);
@@ -51,7 +57,7 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
     }
     const auto entries = lists_.insert(input_index, step);
     timeline_.landmarks.push_back(input_index);
-    timeline_.epsilon_squared.push_back(lists_.farthest_distance_squared());
+    timeline_.epsilons.push_back(lists_.distance(lists_.farthest_comparable()));
     timeline_.delaunay_dimension.push_back(static_cast<std::uint8_t>(change == nullptr ? 0 : change->dimension));
 
     if (change == nullptr) {
@@ -135,7 +141,7 @@ void Engine::extend_hash(Step step) {
 
 std::uint64_t Engine::memory() const {
     constexpr std::uint64_t kBytesPerCell = 84 + sizeof(DelaunayCell);  // CGAL's and ours
-    std::uint64_t bytes = static_cast<std::uint64_t>(cloud_->size()) * (40 + 12 * lists_.kappa());
+    std::uint64_t bytes = lists_.memory();
     if (delaunay_) bytes += delaunay_->cell_capacity() * kBytesPerCell;
     bytes += complex_.memory();
     for (const SimplexTable& table : timeline_.simplices) {

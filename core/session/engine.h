@@ -13,6 +13,7 @@
 #include "homology/embedded_betti.h"
 #include "homology/surface_betti.h"
 #include "landmarks/landmark_lists.h"
+#include "metrics/metric.h"
 #include "surface/surface_tracker.h"
 #include "timeline/timeline.h"
 
@@ -21,6 +22,8 @@ namespace plateau {
 /// What a run follows, with all defaults filled in.
 struct EngineOptions {
     Family family = Family::Auto;
+    MetricOptions metric;
+    std::uint32_t dimension = 0;                 ///< largest dimension of a simplex
     std::vector<std::vector<std::uint32_t>> nu;  ///< one sequence a track
     double rho = 0;
     std::uint32_t field = 2;
@@ -33,14 +36,14 @@ public:
     /// `cloud` must outlive the engine.
     Engine(const PointCloud& cloud, const EngineOptions& options);
 
-    /// Builds the tree over the witnesses until the deadline; true when done.
+    /// Builds what distances come from until the deadline; true when done, also after a failure.
     bool prepare(const Deadline& deadline) { return lists_.prepare(deadline); }
+    std::optional<Error> failure() const { return lists_.failure(); }
 
     /// Inserts the landmark with this input index. An error leaves the steps before it intact.
     std::optional<Error> insert(std::uint32_t input_index);
-    /// The next landmark, farthest first, after the first insertion; and the squared radius epsilon^2 now.
+    /// The next landmark, farthest first, after the first insertion.
     std::uint32_t farthest() const { return lists_.farthest(); }
-    double epsilon_squared() const { return lists_.farthest_distance_squared(); }
 
     const Timeline& timeline() const { return timeline_; }
     /// Of all steps so far. Cost: the records since the last call.

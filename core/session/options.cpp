@@ -1,7 +1,11 @@
 #include "session/options.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
+
+#include "metrics/distance_rows.h"
 
 namespace plateau {
 
@@ -31,16 +35,59 @@ Error invalid(std::string message) {
     return {ErrorCode::InvalidOption, std::move(message)};
 }
 
+bool has_delaunay(const PointCloud& cloud, Metric metric) {
+    return metric == Metric::Euclidean && cloud.dimension <= 3;
+}
+
+Family default_family(const PointCloud& cloud, Metric metric) {
+    if (!has_delaunay(cloud, metric)) return Family::Witness;
+    return cloud.dimension == 2 ? Family::Delaunay : Family::Auto;
+}
+
+std::optional<Error> check_family(const PointCloud& cloud, const RunOptions& options) {
+    if (options.family == Family::Witness) return std::nullopt;
+    if (options.metric.metric != Metric::Euclidean) {
+        return invalid("Only family witness takes other metrics than the Euclidean one.");
+    }
+    if (!has_delaunay(cloud, Metric::Euclidean)) {
+        return invalid("Points with " + std::to_string(cloud.dimension) +
+                       " coordinates need family witness; the others are for the plane and for space.");
+    }
+    if (cloud.dimension == 2 && options.family == Family::Surface) {
+        return invalid("Family surface needs points in space; for points in the plane take delaunay or witness.");
+    }
+    return std::nullopt;
+}
+
+/// The last Betti number of family witness when none is asked for. A flat torus is no part of R^d: it has a beta_d.
+std::uint32_t default_max_dimension(const PointCloud& cloud, Metric metric) {
+    constexpr std::uint32_t kFew = 2;
+    if (metric == Metric::Matrix) return kFew;
+    const std::uint32_t last = metric == Metric::Periodic ? cloud.dimension : cloud.dimension - 1;
+    return last <= kMaxBetti ? last : kFew;
+}
+
 }  // namespace
 
 Result<RunOptions> resolved(RunOptions options, const PointCloud& cloud) {
-    const std::uint32_t dimension = cloud.dimension;
-    const Family asked = options.family.value_or(dimension == 2 ? Family::Delaunay : Family::Auto);
-    if (dimension == 2 && asked == Family::Surface) {
-        return invalid("Family surface needs points in space; for points in the plane take delaunay or witness.");
-    }
-    options.family = dimension == 2 && asked == Family::Auto ? Family::Delaunay : asked;
+    const Metric metric = options.metric.metric;
+    if (auto error = check_metric(cloud, options.metric)) return std::move(*error);
+    if (!options.family) options.family = default_family(cloud, metric);
+    if (auto error = check_family(cloud, options)) return std::move(*error);
+    if (cloud.dimension == 2 && options.family == Family::Auto) options.family = Family::Delaunay;
 
+    if (options.max_dimension && options.family != Family::Witness) {
+        return invalid("The last Betti number can be chosen for family witness only.");
+    }
+    if (options.max_dimension && *options.max_dimension > kMaxBetti) {
+        return invalid("The last Betti number can be beta" + std::to_string(kMaxBetti) + " at most, for simplices of " +
+                       std::to_string(kMaxBetti + 2) + " points; got beta" + std::to_string(*options.max_dimension) +
+                       ".");
+    }
+    if (options.family == Family::Witness && !options.max_dimension) {
+        options.max_dimension = default_max_dimension(cloud, metric);
+    }
+    const std::uint32_t dimension = options.max_dimension ? *options.max_dimension + 1 : cloud.dimension;
     if (options.nu.empty()) options.nu = default_nu(*options.family, dimension);
     if (options.nu.size() > dimension + 1) options.nu.resize(dimension + 1);
     for (const std::uint32_t entry : options.nu) {
@@ -71,6 +118,8 @@ Result<RunOptions> resolved(RunOptions options, const PointCloud& cloud) {
 EngineOptions engine_options(const RunOptions& resolved, std::uint32_t dimension) {
     EngineOptions engine;
     engine.family = *resolved.family;
+    engine.metric = resolved.metric;
+    engine.dimension = resolved.max_dimension ? *resolved.max_dimension + 1 : dimension;
     engine.nu = {resolved.nu};
     if (engine.family == Family::Auto) engine.nu.push_back(default_nu(Family::Witness, dimension));  // [GO 4.5]
     engine.rho = resolved.rho;

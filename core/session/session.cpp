@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <string>
 
 #include "landmarks/noise_scale.h"
@@ -34,13 +33,15 @@ struct Session::State {
     State(PointCloud points, RunOptions run_options)
         : cloud(std::move(points)),
           options(std::move(run_options)),
-          engine(cloud, engine_options(options, cloud.dimension)) {
+          engine(cloud, engine_options(options, cloud.dimension)),
+          matrix_bytes(cloud.distances.memory()) {
         if (cloud.size() >= options.noise_stop_from) noise_scale.emplace(engine.lists());
     }
 
     PointCloud cloud;
     RunOptions options;
     Engine engine;
+    std::uint64_t matrix_bytes;
     bool prepared = false;
     RunState end = RunState::Running;  // Finished or Stopped once no more is to be inserted
     std::optional<Error> stopped;
@@ -51,11 +52,11 @@ struct Session::State {
     Step steps() const { return engine.timeline().step_count; }
     // The first landmarks need not wait for it.
     bool noise_is_due() const {
-        return noise_scale && steps() >= std::min(1000u, NoiseScale::safe_landmarks(cloud.size()));
+        return noise_scale && steps() >= std::min(1000u, NoiseScale::safe_landmarks(cloud, options.metric.metric));
     }
     // Bytes taken from the system: tables that grew leave holes behind, and what is small is not counted. Measured: the
     // tables at most natively, 1.3 times the tables in the module.
-    std::uint64_t memory() const { return engine.memory() / 10 * 13; }
+    std::uint64_t memory() const { return engine.memory() / 10 * 13 + matrix_bytes; }
     void measure_noise(const Deadline& deadline);
     void insert_next();
     std::string why_full() const;
@@ -67,7 +68,8 @@ Result<Session> Session::open(PointCloud cloud, const RunOptions& options) {
     PointCloud points = std::move(checked).value();
     auto complete = resolved(options, points);
     if (!complete) return complete.error();
-    const std::uint64_t needed = estimated_memory(points.size(), 1, points.dimension, *complete.value().family);
+    const std::uint64_t needed =
+        estimated_memory(points.size(), 1, points.dimension, *complete.value().family) + input_memory(points);
     if (needed > complete.value().memory_limit) {
         return Error{ErrorCode::OutOfMemory,
                      grouped(points.size()) + " points alone need about " + in_megabytes(needed) + ", but only " +
@@ -84,12 +86,16 @@ Session::~Session() = default;
 Progress Session::run(const Budget& budget) {
     State& s = *state_;
     const Deadline deadline(budget.milliseconds);
-    if (!s.prepared) s.prepared = s.engine.prepare(deadline);
-    if (!s.prepared) return progress();
+    if (!s.prepared) {
+        s.prepared = s.engine.prepare(deadline);
+        if (!s.prepared) return progress();
+        s.stopped = s.engine.failure();
+        if (s.stopped) s.end = RunState::Stopped;
+    }
 
     std::uint32_t inserted = 0;
     do {
-        if (s.noise_is_due()) {
+        if (s.end != RunState::Stopped && s.noise_is_due()) {
             s.measure_noise(deadline);
         } else if (s.end == RunState::Running && inserted < budget.steps) {
             s.insert_next();
@@ -108,10 +114,8 @@ void Session::State::insert_next() {
         end = RunState::Stopped;
         return;
     }
-    const double epsilon_squared = engine.epsilon_squared();
-    const double epsilon = std::sqrt(epsilon_squared);
-    const bool done = steps() == std::min(cloud.size(), options.max_steps) || epsilon_squared == 0 ||
-                      epsilon <= options.until_epsilon;
+    const double epsilon = engine.timeline().epsilon(steps());
+    const bool done = steps() == std::min(cloud.size(), options.max_steps) || epsilon <= options.until_epsilon;
     ended_at_noise = !done && epsilon <= noise;
     if (done || ended_at_noise) {
         end = RunState::Finished;
@@ -132,7 +136,7 @@ std::string Session::State::why_full() const {
                       " landmarks: the run holds " + in_megabytes(memory()) + ", all that it may take. ";
     const std::uint32_t expected =
         affordable_landmarks(cloud.size(), cloud.dimension, *options.family, options.memory_limit);
-    if (steps() < expected / 2) {
+    if (*options.family != Family::Witness && steps() < expected / 2) {
         why += "On a curve in space the Delaunay triangulation grows with the square of the number of landmarks. ";
     }
     return why + "All steps so far are complete.";
@@ -196,6 +200,13 @@ std::uint64_t estimated_memory(std::uint32_t points, std::uint32_t landmarks, st
     const MemoryShares shares = shares_of(dimension, family);
     const auto doublings = static_cast<std::uint64_t>(std::bit_width(landmarks));
     return points * (shares.witness + shares.doubling * doublings) + landmarks * shares.landmark;
+}
+
+std::uint64_t input_memory(const PointCloud& cloud) {
+    // As given and in the order of the tree, whose boxes have two more numbers a third of the points.
+    constexpr std::uint64_t kBytesPerAxis = 22;
+    const std::uint64_t more_axes = std::max(cloud.dimension, 3u) - 3;
+    return cloud.distances.memory() + cloud.size() * more_axes * kBytesPerAxis;
 }
 
 std::uint32_t affordable_landmarks(std::uint32_t points, std::uint32_t dimension, Family family, std::uint64_t bytes) {

@@ -8,13 +8,22 @@
 
 #include "base/result.h"
 #include "cloud/point_cloud.h"
+#include "metrics/metric.h"
 #include "plateaus/plateaus.h"
 #include "timeline/timeline.h"
 
 namespace plateau {
 
+/// The largest k of a Betti number beta_k: simplices have at most 8 vertices.
+inline constexpr std::uint32_t kMaxBetti = 6;
+
 struct RunOptions {
-    std::optional<Family> family;   ///< default: Delaunay in the plane, Auto in space
+    /// Default: Delaunay in the plane, Auto in space; Witness in more dimensions and for every metric but Euclidean.
+    std::optional<Family> family;
+    MetricOptions metric;  ///< other ones than Euclidean are for family witness
+    /// Family witness: the last Betti number, of simplices up to one dimension more; at most kMaxBetti. Default: 2 for
+    /// a matrix, d for a periodic box, d - 1 for other coordinates, 2 where that is more than kMaxBetti.
+    std::optional<std::uint32_t> max_dimension;
     std::vector<std::uint32_t> nu;  ///< nu_0, nu_1, ...; empty: the family's default
     std::uint32_t first = 0;        ///< 0-based input index of the first landmark
     std::uint32_t max_steps = std::numeric_limits<std::uint32_t>::max();
@@ -33,10 +42,10 @@ struct Budget {
 };
 
 enum class RunState : std::uint8_t {
-    Preparing = 0,  ///< building the tree over the witnesses; no step yet
+    Preparing = 0,  ///< building what distances come from; no step yet
     Running = 1,
     Finished = 2,  ///< all landmarks in, epsilon = 0, or a stop that the options asked for
-    Stopped = 3,   ///< the memory limit was reached; what was computed stays. See Progress::stopped
+    Stopped = 3,   ///< by the memory limit, or before the first step for want of distances; what was computed stays
 };
 
 struct Progress {
@@ -84,8 +93,12 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Bytes that so many landmarks of n points are expected to take, without the Delaunay triangulation's worst case.
+/// Bytes that so many landmarks of n points of at most 3 coordinates are expected to take, without the Delaunay
+/// triangulation's worst case.
 std::uint64_t estimated_memory(std::uint32_t points, std::uint32_t landmarks, std::uint32_t dimension, Family family);
+
+/// Bytes of what estimated_memory() does not know of: a distance matrix, or coordinates beyond the third.
+std::uint64_t input_memory(const PointCloud& cloud);
 
 /// How many landmarks of n points are expected to fit into so many bytes; at most n.
 std::uint32_t affordable_landmarks(std::uint32_t points, std::uint32_t dimension, Family family, std::uint64_t bytes);

@@ -1,15 +1,10 @@
 #include "timeline/timeline.h"
 
-#include <cmath>
-
 namespace plateau {
-
-double Timeline::epsilon(Step step) const {
-    return std::sqrt(epsilon_squared[step - 1]);
-}
 
 std::vector<SimplexIndex> Timeline::living(int dim, int track, Step step) const {
     std::vector<SimplexIndex> result;
+    if (dim > static_cast<int>(dimension)) return result;
     const SimplexTable& simplices_of_dim = table(dim);
     const SimplexIndex end = simplices_of_dim.first_of_step[step + 1];
     for (SimplexIndex simplex = 0; simplex < end; ++simplex) {

@@ -27,13 +27,15 @@ struct SurfaceRow {
 
 /// The append-only record of a run: everything any step needs, as lifespans, for steps 1 .. step_count.
 struct Timeline {
-    std::uint32_t dimension = 0;  ///< of the cloud
+    /// Largest dimension of a simplex, and the number of Betti numbers: that of the cloud unless the run was asked for
+    /// others.
+    std::uint32_t dimension = 0;
     Family family = Family::Auto;
     int track_count = 1;
     Step step_count = 0;
 
     std::vector<std::uint32_t> landmarks;          ///< [step-1] = 0-based input index
-    std::vector<double> epsilon_squared;           ///< [step-1] = epsilon(step)^2, input units squared, non-increasing
+    std::vector<double> epsilons;                  ///< [step-1] = epsilon(step), input units, non-increasing
     std::vector<std::uint8_t> delaunay_dimension;  ///< [step-1] = dimension m of D(L); family witness: 0
     std::vector<SimplexTable> simplices;           ///< [k-1] = table of dimension k, k = 1 .. dimension
 
@@ -48,7 +50,7 @@ struct Timeline {
     std::vector<Family> shown_family;  ///< [step-1]; never Auto
     std::vector<std::uint32_t> betti;  ///< `dimension` numbers a step: beta_0 .. beta_{d-1}
 
-    double epsilon(Step step) const;
+    double epsilon(Step step) const { return epsilons[step - 1]; }
     std::span<const std::uint32_t> betti_at(Step step) const {
         return {betti.data() + static_cast<std::size_t>(step - 1) * dimension, dimension};
     }
@@ -57,7 +59,7 @@ struct Timeline {
     int shown_track(Step step) const {
         return family == Family::Auto && shown_family[step - 1] == Family::Delaunay ? 1 : 0;
     }
-    /// All simplices of dimension dim that live at the step in the track. Cost: O(births so far).
+    /// All simplices of dimension dim >= 1 that live at the step in the track. Cost: O(births so far).
     std::vector<SimplexIndex> living(int dim, int track, Step step) const;
     /// Rows of the surface at the step. Cost: O(rows so far).
     std::vector<std::uint32_t> surface_rows(Step step) const;

@@ -76,7 +76,7 @@ Order run_rooms(const PointCloud& cloud, int depth) {
         if (depth >= 2) change = delaunay.insert(step, cloud.point(next), order.hints.back()).value();
         const auto entries = lists.insert(next, step);
         if (depth >= 3) complex.insert(step, lists, entries, delaunay, *change, tables);
-        if (lists.farthest_distance_squared() == 0) break;
+        if (lists.farthest_comparable() == 0) break;
     }
     return order;
 }

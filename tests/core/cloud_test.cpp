@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "cloud/point_cloud.h"
 #include "cloud/trigonometry.h"
@@ -30,6 +31,11 @@ TEST(Cloud, ValidatedKeepsAGoodCloud) {
     EXPECT_EQ(result.value().size(), 2u);
 }
 
+TEST(Cloud, ValidatedTakesAnyNumberOfCoordinates) {
+    EXPECT_TRUE(validated({4, {1, 2, 3, 4}}));
+    EXPECT_TRUE(validated({300, std::vector<double>(600, 1)}));
+}
+
 TEST(Cloud, OnePointAndEqualPointsAreNoErrors) {
     EXPECT_TRUE(validated({2, {1, 2}}));
     EXPECT_TRUE(validated({2, {1, 2, 1, 2, 1, 2}}));
@@ -51,7 +57,6 @@ TEST(Cloud, ValidatedRefusesEmptyAndOtherDimensions) {
     EXPECT_EQ(validated({3, {}}).error().code, ErrorCode::EmptyInput);
     EXPECT_EQ(validated({0, {1}}).error().code, ErrorCode::UnsupportedDimension);
     EXPECT_EQ(validated({1, {1, 2}}).error().code, ErrorCode::UnsupportedDimension);
-    EXPECT_EQ(validated({4, {1, 2, 3, 4}}).error().code, ErrorCode::UnsupportedDimension);
     EXPECT_EQ(validated({3, {1, 2, 3, 4}}).error().code, ErrorCode::RaggedRows);
 }
 
@@ -74,6 +79,16 @@ TEST(Trigonometry, ExactAtQuarterTurns) {
         EXPECT_EQ(angle.sine, quarter == 1 ? 1 : quarter == 3 ? -1 : 0);
         EXPECT_EQ(angle.cosine, quarter == 0 ? 1 : quarter == 2 ? -1 : 0);
     }
+}
+
+TEST(Trigonometry, AngleOfASquaredSine) {
+    EXPECT_EQ(angle_of_squared_sine(0), 0);
+    for (int k = 1; k <= 10'000; ++k) {
+        const double squared = k / 10'000.0;
+        const long double angle = std::asin(std::sqrt(static_cast<long double>(squared)));
+        EXPECT_NEAR(angle_of_squared_sine(squared) / static_cast<double>(angle), 1, 1e-15) << squared;
+    }
+    EXPECT_NEAR(angle_of_squared_sine(1e-300), 1e-150, 1e-165);
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ std::string step_difference(const PointCloud& cloud, const Timeline& timeline, c
     if (timeline.landmarks[i] != static_cast<std::uint32_t>(expected.landmark)) {
         return "landmark " + std::to_string(timeline.landmarks[i]) + " instead of " + std::to_string(expected.landmark);
     }
-    if (!same_bits(timeline.epsilon_squared[i], expected.epsilon_squared)) return "other epsilon";
+    if (!same_bits(timeline.epsilon(step), std::sqrt(expected.epsilon_squared))) return "other epsilon";
     if (timeline.delaunay_dimension[i] != expected.delaunay_dimension) return "other dimension of D(L)";
     std::string text = complex_difference(timeline, expected, step);
     const bool has_surface = timeline.family == Family::Surface || timeline.family == Family::Auto;

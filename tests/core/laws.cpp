@@ -37,7 +37,7 @@ std::string index_complaint(const std::vector<Index>& first, std::size_t size, S
 
 std::string steps_complaint(const Timeline& timeline) {
     const std::size_t steps = timeline.step_count;
-    if (timeline.landmarks.size() < steps || timeline.epsilon_squared.size() < steps ||
+    if (timeline.landmarks.size() < steps || timeline.epsilons.size() < steps ||
         timeline.delaunay_dimension.size() < steps || timeline.shown_family.size() < steps ||
         timeline.betti.size() < steps * timeline.dimension) {
         return "a complete step lacks an entry";
@@ -47,11 +47,11 @@ std::string steps_complaint(const Timeline& timeline) {
     for (std::size_t i = 0; i < steps; ++i) {
         const Step step = static_cast<Step>(i + 1);
         if (!used.insert(timeline.landmarks[i]).second) return "a landmark twice" + at_step(step);
-        if (!(timeline.epsilon_squared[i] >= 0)) return "epsilon is not a distance" + at_step(step);
-        if (timeline.epsilon_squared[i] == 0 && step < steps) return "went on after epsilon = 0" + at_step(step);
+        if (!(timeline.epsilons[i] >= 0)) return "epsilon is not a distance" + at_step(step);
+        if (timeline.epsilons[i] == 0 && step < steps) return "went on after epsilon = 0" + at_step(step);
         if (timeline.shown_family[i] == Family::Auto) return "shown family auto" + at_step(step);
         if (i == 0) continue;
-        if (timeline.epsilon_squared[i] > timeline.epsilon_squared[i - 1]) return "epsilon rose" + at_step(step);
+        if (timeline.epsilons[i] > timeline.epsilons[i - 1]) return "epsilon rose" + at_step(step);
         if (timeline.delaunay_dimension[i] < timeline.delaunay_dimension[i - 1]) {
             return "the dimension of D(L) fell" + at_step(step);
         }

@@ -100,7 +100,7 @@ TEST(NoiseStop, EndsAtTheFirstStepThatReachesTheNoise) {
         EXPECT_LE(progress.epsilon, progress.noise);
         EXPECT_GT(session.timeline().epsilon(progress.steps_done - 1), progress.noise);
         EXPECT_LT(progress.steps_done, size);
-        EXPECT_GT(progress.steps_done, NoiseScale::safe_landmarks(size));
+        EXPECT_GT(progress.steps_done, NoiseScale::safe_landmarks(cloud, Metric::Euclidean));
     }
 }
 

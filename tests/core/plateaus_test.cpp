@@ -20,7 +20,7 @@ Timeline written_down(const std::vector<HandStep>& steps) {
     timeline.dimension = 3;
     timeline.step_count = static_cast<Step>(steps.size());
     for (const HandStep& step : steps) {
-        timeline.epsilon_squared.push_back(step.epsilon * step.epsilon);
+        timeline.epsilons.push_back(step.epsilon);
         timeline.shown_family.push_back(step.family);
         timeline.betti.insert(timeline.betti.end(), step.betti.begin(), step.betti.end());
     }

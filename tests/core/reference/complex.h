@@ -13,7 +13,7 @@ namespace plateau::reference {
 using Simplex = std::vector<int>;
 
 /// [k] = the k-simplices. Closed under faces.
-using Complex = std::array<std::set<Simplex>, 4>;
+using Complex = std::array<std::set<Simplex>, 8>;
 
 /// The faces of one dimension less, the one without the first vertex first. Empty for a vertex.
 std::vector<Simplex> facets(const Simplex& simplex);
