@@ -13,7 +13,15 @@ export function openedWith(parts: Partial<Opened> = {}): Opened {
     estimatedBytes: 1,
     memoryLimitBytes: 2,
     stepsAffordable: 10,
-    frame: { scale: 1, count: 10, positions: new Float32Array(), outline: new Float32Array() },
+    frame: {
+      scale: 1,
+      count: 10,
+      axes: 3,
+      shares: [],
+      positions: new Float32Array(),
+      beyond: new Float32Array(),
+      outline: new Float32Array(),
+    },
     warnings: [],
     ...parts,
   };

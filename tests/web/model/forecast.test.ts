@@ -15,7 +15,15 @@ const MB = 2 ** 20;
 
 /** A scan of 100,000 points on a surface, 2,000 steps of it: ε falls with the square root of the steps. */
 function scan(parts: Parameters<typeof deltaOf>[2] = {}, affordable = 100_000): RunRecord {
-  const frame = { scale: 1, count: 100_000, positions: new Float32Array(), outline: new Float32Array() };
+  const frame = {
+    scale: 1,
+    count: 100_000,
+    axes: 3,
+    shares: [],
+    positions: new Float32Array(),
+    beyond: new Float32Array(),
+    outline: new Float32Array(),
+  };
   const record = new RunRecord(
     openedWith({
       frame,

@@ -282,6 +282,7 @@ export class Page {
     this.step = 0;
     this.arrival = arrival;
     this.shape?.setRecord(feed.record);
+    this.tools.show(feed.record.frame);
     const now: ShownRun = { choice, options, opened: feed.run.opened, record: feed.record, cards: [] };
     this.diagram.setRecord(feed.record, this.earlier.show(before, now));
     this.cardList.show([], false);

@@ -1,5 +1,7 @@
 import { readable } from '../model/numbers.ts';
 import type { Section, ShapeView } from '../view/shape-view.ts';
+import type { CloudFrame } from '../worker/protocol.ts';
+import { DimensionTools } from './dimension-tools.ts';
 import { byId } from './dom.ts';
 
 const LAYERS = ['witnesses', 'landmarks', 'edges', 'faces'] as const;
@@ -16,6 +18,7 @@ export class ViewTools {
   private readonly bar = byId('scale-bar', HTMLElement);
   private readonly barLength = byId('scale-length', HTMLElement);
   private readonly barText = byId('scale-text', HTMLElement);
+  private readonly dimensions = new DimensionTools();
   private shape: ShapeView | undefined;
 
   constructor() {
@@ -27,8 +30,18 @@ export class ViewTools {
   /** The view that the tools act on; there is none without WebGL. */
   attach(shape: ShapeView | undefined): void {
     this.shape = shape;
+    this.dimensions.attach(shape);
     byId('tools', HTMLElement).hidden = !shape;
     this.apply();
+  }
+
+  /** Another cloud. */
+  show(frame: CloudFrame): void {
+    this.dimensions.show(frame);
+  }
+
+  toggleTurning(): void {
+    this.dimensions.toggleTurning();
   }
 
   /** `index` as in the row of boxes, from 0. */

@@ -2,8 +2,8 @@ import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
 import { FRAME_WIDTH } from '../worker/frame.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
 
-/** The points of a frame as a texture of positions. */
-export function frameTexture({ positions }: Pick<CloudFrame, 'positions'>): DataTexture {
+/** Four numbers a point, in whole rows of points, as a texture. */
+export function frameTexture(positions: Float32Array): DataTexture {
   const rows = positions.length / (4 * FRAME_WIDTH);
   const texture = new DataTexture(positions, FRAME_WIDTH, rows, RGBAFormat, FloatType);
   texture.minFilter = texture.magFilter = NearestFilter;

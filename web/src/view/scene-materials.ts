@@ -2,12 +2,14 @@ import {
   Color,
   DoubleSide,
   GLSL3,
+  Matrix4,
   RawShaderMaterial,
   Vector2,
   Vector4,
   type IUniform,
   type Texture,
 } from 'three';
+import { MOST_AXES } from '../model/dimensions.ts';
 import type { ShownFamily } from '../worker/protocol.ts';
 import {
   EDGE_FRAGMENT,
@@ -28,6 +30,10 @@ const LANDMARK_SIZES: readonly [number, number] = [3.2, 11];
 /** Uniforms that all materials read from one place. */
 export interface SharedUniforms {
   readonly uPositions: IUniform<Texture | null>;
+  readonly uBeyond: IUniform<Texture | null>;
+  readonly uHasBeyond: IUniform<boolean>;
+  readonly uAxes: IUniform<Matrix4>;
+  readonly uAxesBeyond: IUniform<Matrix4>;
   readonly uStep: IUniform<number>;
   readonly uRecent: IUniform<number>;
   readonly uTrack: IUniform<number>;
@@ -39,6 +45,11 @@ export interface SharedUniforms {
   readonly uByAge: IUniform<number>;
   readonly uCut: IUniform<Vector4>;
   readonly uShown: IUniform<Vector2>;
+}
+
+function setAxes(matrix: Matrix4, rows: Float32Array, first: number): void {
+  const row = (i: number): number[] => [...rows.subarray(i * MOST_AXES + first, i * MOST_AXES + first + 4)];
+  matrix.fromArray([...row(0), ...row(1), ...row(2), 0, 0, 0, 0]).transpose();
 }
 
 /** No point of the scene lies beyond this plane. */
@@ -53,6 +64,8 @@ export interface SceneMaterials {
   readonly landmark: RawShaderMaterial;
   /** Diameter of a landmark in units of the scene. */
   readonly landmarkDiameter: IUniform<number>;
+  /** What of the axes of the frame points right, up and towards the eye: rows as rowsOf() gives them. */
+  project(rows: Float32Array): void;
   applyTheme(): void;
   /** Colors the complex by the family that is shown. */
   setFamily(family: ShownFamily): void;
@@ -63,6 +76,10 @@ export interface SceneMaterials {
 export function createMaterials(): SceneMaterials {
   const shared: SharedUniforms = {
     uPositions: { value: null },
+    uBeyond: { value: null },
+    uHasBeyond: { value: false },
+    uAxes: { value: new Matrix4() },
+    uAxesBeyond: { value: new Matrix4() },
     uStep: { value: 0 },
     uRecent: { value: 0 },
     uTrack: { value: 0 },
@@ -135,6 +152,10 @@ export function createMaterials(): SceneMaterials {
     witness,
     landmark,
     landmarkDiameter,
+    project(rows) {
+      setAxes(shared.uAxes.value, rows, 0);
+      setAxes(shared.uAxesBeyond.value, rows, 4);
+    },
     applyTheme() {
       theme = sceneTheme();
       materials.setFamily(shown);

@@ -1,6 +1,6 @@
 /**
- * The shape is drawn from 32-bit words: input indices of landmarks, birth, deaths. Positions lie in one texture that
- * is uploaded once a cloud; the step is a uniform. So neither a step nor a growing run uploads what is there.
+ * The shape is drawn from 32-bit words: input indices of landmarks, birth, deaths. Positions lie in textures that
+ * are uploaded once a cloud; the step is a uniform. So neither a step nor a growing run uploads what is there.
  */
 
 const COMMON = /* glsl */ `
@@ -9,6 +9,10 @@ precision highp int;
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
 uniform highp sampler2D uPositions;
+uniform highp sampler2D uBeyond;
+uniform bool uHasBeyond;
+uniform mat4 uAxes;  // what of the first four coordinates points right, up and towards the eye
+uniform mat4 uAxesBeyond;  // of the next four
 uniform uint uStep;
 uniform uint uTrack;
 uniform float uRecent;  // the step of a moment ago while the film plays, else uStep
@@ -16,7 +20,9 @@ uniform vec2 uViewport;
 uniform vec4 uCut;  // section plane: normal and offset in the scene; what lies beyond it is not drawn
 
 vec3 positionOf(uint index) {
-  return texelFetch(uPositions, ivec2(int(index & 2047u), int(index >> 11)), 0).xyz;
+  ivec2 at = ivec2(int(index & 2047u), int(index >> 11));
+  vec3 here = (uAxes * texelFetch(uPositions, at, 0)).xyz;
+  return uHasBeyond ? here + (uAxesBeyond * texelFetch(uBeyond, at, 0)).xyz : here;
 }
 float cutOf(uint index) {
   return dot(uCut.xyz, positionOf(index)) - uCut.w;

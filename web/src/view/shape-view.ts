@@ -12,6 +12,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { FIRST_AXES, rowsOf } from '../model/dimensions.ts';
 import type { RunRecord } from '../model/record.ts';
 import { FRAME_WIDTH } from '../worker/frame.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
@@ -55,7 +56,7 @@ export class ShapeView {
   private readonly resizing: ResizeObserver;
   private record: RunRecord | undefined;
   private frame: CloudFrame | undefined;
-  private positions: DataTexture | undefined;
+  private textures: DataTexture[] = [];
   private witnesses: Points | undefined;
   private layers:
     | { points: LifespanLayer; edges: LifespanLayer; triangles: LifespanLayer; rows: LifespanLayer }
@@ -114,7 +115,7 @@ export class ShapeView {
     await this.renderer.compileAsync(all, this.camera);
     // Draws nothing, but asks the card about programs and textures now, while it has nothing else to do: later each
     // question would wait until all is drawn that was asked for before.
-    const texture = frameTexture({ positions: new Float32Array(4 * FRAME_WIDTH) });
+    const texture = frameTexture(new Float32Array(4 * FRAME_WIDTH));
     this.renderer.initTexture(texture);
     this.renderer.render(all, this.camera);
     texture.dispose();
@@ -128,9 +129,14 @@ export class ShapeView {
     this.clear();
     this.record = record;
     this.frame = record.frame;
-    this.positions = frameTexture(record.frame);
+    const { axes, positions, beyond } = record.frame;
     const { shared } = this.materials;
-    shared.uPositions.value = this.positions;
+    this.textures = [frameTexture(positions)];
+    if (beyond.length > 0) this.textures.push(frameTexture(beyond));
+    shared.uPositions.value = this.textures[0] ?? null;
+    shared.uBeyond.value = this.textures[1] ?? null;
+    shared.uHasBeyond.value = beyond.length > 0;
+    this.project(rowsOf(axes, FIRST_AXES, 0));
     shared.uHaze.value = record.dimension === 2 ? 0 : 1;
     const geometry = new BufferGeometry();
     geometry.setDrawRange(0, record.frame.count);
@@ -221,6 +227,12 @@ export class ShapeView {
   /** By plateau: each family has its hue; by age: from the first landmark to the newest. */
   colorByAge(byAge: boolean): void {
     this.materials.shared.uByAge.value = byAge ? 1 : 0;
+    this.requestRender();
+  }
+
+  /** What of the axes of the frame points right, up and towards the eye: rows as rowsOf() gives them. */
+  project(rows: Float32Array): void {
+    this.materials.project(rows);
     this.requestRender();
   }
 
@@ -330,7 +342,8 @@ export class ShapeView {
     this.held = undefined;
     if (this.layers) for (const layer of Object.values(this.layers)) layer.dispose();
     this.witnesses?.geometry.dispose();
-    this.positions?.dispose();
+    for (const texture of this.textures) texture.dispose();
+    this.textures = [];
     this.scene.clear();
     this.layers = undefined;
     this.witnesses = undefined;

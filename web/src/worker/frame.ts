@@ -5,14 +5,16 @@ export const FRAME_WIDTH = 2048;
 /** Each face of a cube around the cloud is divided into so many by so many windows. */
 const WINDOWS = 32;
 
+type Coordinates = Float64Array | Float32Array;
+
 interface Box {
-  readonly center: readonly [number, number, number];
+  readonly center: readonly number[];
   readonly extent: number;
 }
 
-function boxOf(coordinates: Float64Array, dimension: number): Box {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
+function boxOf(coordinates: Coordinates, dimension: number): Box {
+  const low: number[] = [];
+  const high: number[] = [];
   for (let axis = 0; axis < dimension; ++axis) {
     let least = Infinity;
     let most = -Infinity;
@@ -24,12 +26,9 @@ function boxOf(coordinates: Float64Array, dimension: number): Box {
     low[axis] = least;
     high[axis] = most;
   }
-  const middle = (axis: number): number =>
-    axis < dimension ? (low[axis] ?? 0) / 2 + (high[axis] ?? 0) / 2 : 0;
-  let extent = 0;
-  for (let axis = 0; axis < dimension; ++axis)
-    extent = Math.max(extent, (high[axis] ?? 0) - (low[axis] ?? 0));
-  return { center: [middle(0), middle(1), middle(2)], extent: extent || 1 };
+  const center = low.map((least, axis) => least / 2 + (high[axis] ?? 0) / 2);
+  const extent = Math.max(0, ...low.map((least, axis) => (high[axis] ?? 0) - least));
+  return { center, extent: extent || 1 };
 }
 
 /** The window of the cube through which a point is seen from the center. */
@@ -62,22 +61,33 @@ function outlineOf(positions: Float32Array, count: number): Float32Array {
   return outline;
 }
 
-/** n rows of 2 or 3 coordinates as the page draws them. Here, because a million of them would make the page wait. */
-export function frameOf(coordinates: Float64Array, dimension: number): CloudFrame {
-  const count = coordinates.length / dimension;
-  const { center, extent } = boxOf(coordinates, dimension);
-  const positions = new Float32Array(FRAME_WIDTH * Math.max(1, Math.ceil(count / FRAME_WIDTH)) * 4);
+/** Poles of the unit sphere: a cloud of more than three dimensions may turn anything towards the eye. */
+const ALL_AROUND = Float32Array.of(1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1);
+
+/**
+ * n rows of coordinates along up to 8 axes as the page draws them. Here, because a million of them would make the page
+ * wait. `shares`: what each axis keeps, where the axes are those of a projection.
+ */
+export function frameOf(coordinates: Coordinates, axes: number, shares: readonly number[] = []): CloudFrame {
+  const count = coordinates.length / axes;
+  const { center, extent } = boxOf(coordinates, axes);
+  const texels = FRAME_WIDTH * Math.max(1, Math.ceil(count / FRAME_WIDTH)) * 4;
+  const positions = new Float32Array(texels);
+  const beyond = new Float32Array(axes > 4 ? texels : 0);
   let farthest = 0;
   for (let point = 0; point < count; ++point) {
     let sum = 0;
-    for (let axis = 0; axis < dimension; ++axis) {
-      const value = ((coordinates[point * dimension + axis] ?? 0) - (center[axis] ?? 0)) / extent;
-      positions[4 * point + axis] = value;
+    for (let axis = 0; axis < axes; ++axis) {
+      const value = ((coordinates[point * axes + axis] ?? 0) - (center[axis] ?? 0)) / extent;
+      if (axis < 4) positions[4 * point + axis] = value;
+      else beyond[4 * point + axis - 4] = value;
       sum += value * value;
     }
     if (sum > farthest) farthest = sum;
   }
   const radius = Math.sqrt(farthest) || 1;
-  for (let i = 0; i < 4 * count; ++i) positions[i] = (positions[i] ?? 0) / radius;
-  return { scale: 1 / (extent * radius), count, positions, outline: outlineOf(positions, count) };
+  for (const words of [positions, beyond])
+    for (let i = 0; i < words.length; ++i) words[i] = (words[i] ?? 0) / radius;
+  const outline = axes > 3 ? ALL_AROUND.slice() : outlineOf(positions, count);
+  return { scale: 1 / (extent * radius), count, axes, shares, positions, beyond, outline };
 }

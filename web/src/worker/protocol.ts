@@ -98,8 +98,14 @@ export interface CloudFrame {
   /** Units of the frame for one unit of the input. */
   readonly scale: number;
   readonly count: number;
-  /** Four numbers a point, filled up to whole rows of FRAME_WIDTH points: a texture as it is. */
+  /** 2 or 3: the coordinates of the input; more: those of a projection, up to 8. */
+  readonly axes: number;
+  /** Of a projection, one an axis: what it keeps of the whole spread, 0 to 1; else empty. */
+  readonly shares: readonly number[];
+  /** The first four numbers of each point, filled up to whole rows of FRAME_WIDTH points: a texture as it is. */
   readonly positions: Float32Array;
+  /** The other four, or nothing where there are none. */
+  readonly beyond: Float32Array;
   /** Points, three numbers each, that stand out so far that what shows them shows all. */
   readonly outline: Float32Array;
 }
