@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "io/family_name.h"
+#include "io/metric_name.h"
 #include "io/text.h"
 
 namespace plateau::cli {
@@ -17,6 +18,8 @@ struct RawText {
     std::string columns;
     std::string until;
     std::string megabytes;
+    std::string metric;
+    std::string box;
 };
 
 Error invalid(std::string message) {
@@ -36,6 +39,53 @@ Result<std::vector<std::uint32_t>> parse_list(std::string_view text, const std::
         if (end == std::string_view::npos) return numbers;
         text.remove_prefix(end + 1);
     }
+}
+
+/// Numbers of at least 0 between commas.
+Result<std::vector<double>> parse_box(std::string_view text) {
+    std::vector<double> numbers;
+    while (true) {
+        // The parser of numbers looks at the byte behind the field, which a text of its own has.
+        const std::size_t end = text.find(',');
+        const std::string field(text.substr(0, end));
+        const ParsedField number = parse_field(field);
+        if (number.kind != FieldKind::Number) {
+            return invalid("--box takes a period for every axis, such as 1,1, or one for all; got " + in_quotes(field) +
+                           ".");
+        }
+        numbers.push_back(number.value);
+        if (end == std::string_view::npos) return numbers;
+        text.remove_prefix(end + 1);
+    }
+}
+
+std::optional<Error> complete_metric(RunArguments& run, const RawText& raw, bool names_neighbors) {
+    MetricOptions& metric = run.options.metric;
+    if (!raw.metric.empty()) {
+        const auto named = metric_named(raw.metric);
+        if (!named) {
+            return invalid("There is no metric " + in_quotes(raw.metric) + "; take " + std::string(kMetricChoice) +
+                           ".");
+        }
+        metric.metric = *named;
+    }
+    if (names_neighbors && metric.metric != Metric::Geodesic) return invalid("--knn is for --metric geodesic.");
+    if (raw.box.empty()) return std::nullopt;
+    if (metric.metric != Metric::Periodic) return invalid("--box is for --metric periodic.");
+    auto box = parse_box(raw.box);
+    if (!box) return box.error();
+    metric.box = std::move(box).value();
+    return std::nullopt;
+}
+
+/// Edges drawn between the points would lie elsewhere than the metric has them.
+std::optional<Error> check_mesh(const RunArguments& run) {
+    const Metric metric = run.options.metric.metric;
+    const bool has_none = metric == Metric::Matrix || metric == Metric::Periodic || metric == Metric::Projective;
+    if (run.mesh.empty() || !has_none) return std::nullopt;
+    return invalid("--mesh is not for --metric " + std::string(metric_name(metric)) + ": " +
+                   (metric == Metric::Matrix ? "distances have no place in space."
+                                             : "its edges are no straight lines between the points."));
 }
 
 std::optional<Error> complete(RunArguments& run, const RawText& raw) {
@@ -83,9 +133,12 @@ std::optional<Error> complete(RunArguments& run, const RawText& raw) {
 }
 
 void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
-    app.add_option("INPUT", run.input, "Point file (.xyz .txt .csv .ply .off .obj .pcd .npy), - for standard input")
+    app.add_option("INPUT", run.input,
+                   "Point file (.xyz .txt .csv .ply .off .obj .pcd .npy) or distance matrix (.csv .txt .npy), - for "
+                   "standard input")
         ->required();
-    app.add_option("--family", raw.family, "witness, delaunay, surface or auto [plane: delaunay, space: auto]");
+    app.add_option("--family", raw.family,
+                   "witness, delaunay, surface or auto [plane: delaunay, space: auto, else witness]");
     app.add_option("--nu", raw.nu, "Ranks of the witnesses by dimension, such as 1,6,6,4 [as the family]");
     app.add_option("--first", run.options.first, "Input index of the first landmark, from 0")->capture_default_str();
     app.add_option("--steps", run.options.max_steps, "Most landmarks to insert [all]");
@@ -95,9 +148,18 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
     app.add_option("--memory", raw.megabytes,
                    "Most memory to take, in MB; the run stops there [four fifths of the machine's]");
     app.add_option("--rho", run.options.rho, "Surface: drop triangles of a larger radius-edge ratio [off]");
+    app.add_option("--metric", raw.metric,
+                   std::string(kMetricChoice) + " [euclidean]; all but euclidean are for family witness");
+    app.add_option("--knn", run.options.metric.neighbors,
+                   "Metric geodesic: to how many nearest others every point is joined")
+        ->capture_default_str();
+    app.add_option("--box", raw.box,
+                   "Metric periodic: the period of every axis, such as 1,1, or one for all; 0: none [the unit box]");
+    app.add_option("--max-dim", run.options.max_dimension,
+                   "Family witness: the last Betti number, at most 6 [that of the space, matrix: 2]");
     app.add_option("--field", run.options.field, "Family witness: Betti numbers over Z/p for this prime p")
         ->capture_default_str();
-    app.add_option("--columns", raw.columns, "Columns that are the coordinates, from 1, such as 1,2,3");
+    app.add_option("--columns", raw.columns, "Columns that are the coordinates, from 1, such as 1,2,3 [all]");
     app.add_option("--betti", run.betti, "Write the Betti numbers of every step (CSV); - for standard output");
     app.add_option("--plateaus", run.plateaus, "Write the plateaus (JSON); - for standard output");
     auto* mesh = app.add_option("--mesh", run.mesh, "Write the shape of one step (PLY); - for standard output");
@@ -156,6 +218,8 @@ Result<Arguments> parse_arguments(int count, const char* const* values) {
     }
     if (run_app->parsed()) {
         if (auto error = complete(run, raw)) return std::move(*error);
+        if (auto error = complete_metric(run, raw, run_app->count("--knn") > 0)) return std::move(*error);
+        if (auto error = check_mesh(run)) return std::move(*error);
         return Arguments(std::move(run));
     }
     if (sample_size->count() == 0) {

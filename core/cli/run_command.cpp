@@ -29,6 +29,12 @@ Error out_of_range(Step at, Step steps) {
             "--at " + std::to_string(at) + " is out of range: the run has " + std::to_string(steps) + " steps."};
 }
 
+std::optional<Error> check_mesh(const RunArguments& arguments, const PointCloud& cloud) {
+    if (arguments.mesh.empty() || cloud.dimension <= 3) return std::nullopt;
+    return Error{ErrorCode::InvalidOption, "--mesh is for points in the plane and in space; these have " +
+                                               std::to_string(cloud.dimension) + " coordinates."};
+}
+
 /// Steps until the end or until the user interrupts.
 Progress run_to_end(Session& session, bool show_progress) {
     ProgressLine line(show_progress);
@@ -95,7 +101,13 @@ Result<int> run(const RunArguments& arguments) {
     if (auto error = check_outputs(arguments)) return std::move(*error);
     auto bytes = read_file(arguments.input);
     if (!bytes) return bytes.error();
-    CloudReader reader(std::move(bytes).value(), arguments.input, {.columns = arguments.columns});
+    RunOptions options = arguments.options;
+    options.memory_limit = arguments.memory_limit.value_or(usable_memory());
+    const bool is_matrix = options.metric.metric == Metric::Matrix;
+    CloudReader reader(std::move(bytes).value(), arguments.input,
+                       {.columns = arguments.columns,
+                        .as = is_matrix ? ReadAs::Distances : ReadAs::PointsOfAnyDimension,
+                        .memory_limit = options.memory_limit});
     while (!interrupted() && !reader.advance(kSliceMs)) {
     }
     if (interrupted()) return kInterrupted;
@@ -106,15 +118,15 @@ Result<int> run(const RunArguments& arguments) {
     }
     std::vector<std::string> notes = std::move(read.value().warnings);
 
-    RunOptions options = arguments.options;
-    options.memory_limit = arguments.memory_limit.value_or(usable_memory());
     auto opened = Session::open(std::move(read.value().cloud), options);
     if (!opened) return opened.error();
     Session session = std::move(opened).value();
+    if (auto error = check_mesh(arguments, session.cloud())) return std::move(*error);
     const Step planned = session.progress().steps_planned;
     if (arguments.at && *arguments.at > planned) return out_of_range(*arguments.at, planned);
 
     const Progress progress = run_to_end(session, arguments.progress);
+    if (progress.stopped && progress.steps_done == 0) return *progress.stopped;
     const std::string place =
         "after step " + std::to_string(progress.steps_done) + " of " + std::to_string(progress.steps_planned);
     if (auto error = write_outputs(arguments, session)) {

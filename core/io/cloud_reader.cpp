@@ -6,6 +6,7 @@
 
 #include "io/file_kind.h"
 #include "io/format_reader.h"
+#include "io/matrix_sink.h"
 #include "io/row_sink.h"
 #include "io/text.h"
 
@@ -36,17 +37,36 @@ std::unique_ptr<FormatReader> make_reader(std::string_view bytes, std::string_vi
     return make_table_reader(bytes, extension, sink);
 }
 
+Result<std::unique_ptr<FormatReader>> make_matrix_reader(std::string_view bytes, std::string_view extension,
+                                                         MatrixSink& sink) {
+    switch (detect_format(bytes, extension)) {
+        case FileFormat::Table:
+            return make_matrix_table_reader(bytes, sink);
+        case FileFormat::Npy:
+            return make_matrix_npy_reader(bytes, sink);
+        default:
+            return Error{ErrorCode::UnknownFormat,
+                         "This file holds points; a distance matrix is read from .csv, .txt and .npy."};
+    }
+}
+
 }  // namespace
 
 struct CloudReader::State {
     std::string bytes;
-    RowSink sink;
+    bool reads_distances;
+    RowSink points;
+    MatrixSink distances;
     std::unique_ptr<FormatReader> reader;  ///< null when done
     std::optional<Error> error;
 
-    State(std::string all, std::string_view file_name, ReadOptions options)
-        : bytes(std::move(all)), sink(std::move(options.columns)) {
-        if ((error = sink.check_options())) return;
+    State(std::string all, std::string_view file_name, const ReadOptions& options)
+        : bytes(std::move(all)),
+          reads_distances(options.as == ReadAs::Distances),
+          points(options),
+          distances(options.memory_limit, bytes.size()) {
+        error = reads_distances ? MatrixSink::check_options(options) : points.check_options();
+        if (error) return;
         std::string_view view = bytes;
         if (view.starts_with("\xEF\xBB\xBF")) view.remove_prefix(3);  // byte order mark
         if (view.find_first_not_of(" \t\r\n") == std::string_view::npos) {
@@ -55,14 +75,21 @@ struct CloudReader::State {
             error = Error{ErrorCode::UnknownFormat,
                           "This seems to be " + std::string(*kind) +
                               ". Points are read from .xyz, .txt, .csv, .ply, .off, .obj, .pcd and .npy."};
+        } else if (reads_distances) {
+            auto made = make_matrix_reader(view, extension_of(file_name), distances);
+            if (made) {
+                reader = std::move(made).value();
+            } else {
+                error = made.error();
+            }
         } else {
-            reader = make_reader(view, extension_of(file_name), sink);
+            reader = make_reader(view, extension_of(file_name), points);
         }
     }
 };
 
-CloudReader::CloudReader(std::string bytes, std::string_view file_name, ReadOptions options)
-    : state_(std::make_unique<State>(std::move(bytes), file_name, std::move(options))) {}
+CloudReader::CloudReader(std::string bytes, std::string_view file_name, const ReadOptions& options)
+    : state_(std::make_unique<State>(std::move(bytes), file_name, options)) {}
 CloudReader::CloudReader(CloudReader&&) noexcept = default;
 CloudReader& CloudReader::operator=(CloudReader&&) noexcept = default;
 CloudReader::~CloudReader() = default;
@@ -84,7 +111,7 @@ Result<ReadCloud> CloudReader::take() {
     advance(std::numeric_limits<double>::infinity());
     state_->bytes = {};
     if (state_->error) return *state_->error;
-    return state_->sink.finished();
+    return state_->reads_distances ? state_->distances.finished() : state_->points.finished();
 }
 
 Result<ReadCloud> read_cloud(std::string bytes, std::string_view file_name, const ReadOptions& options) {

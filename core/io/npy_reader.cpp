@@ -1,5 +1,6 @@
 #include <array>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -73,6 +74,12 @@ private:
                                                         "; points need two or three columns."};
         }
         const auto columns = static_cast<std::uint32_t>(column_count());
+        if (columns > 3 && !sink_.columns_asked() && sink_.takes_any_dimension()) {
+            std::vector<std::uint32_t> all(columns);
+            std::iota(all.begin(), all.end(), 0u);
+            sink_.warn_of_dimension(columns);
+            return sink_.choose(columns, all);
+        }
         if (columns > 3 && !sink_.columns_asked()) {
             return Error{ErrorCode::UnsupportedDimension,
                          std::to_string(columns) + " columns: choose the coordinates with --columns 1,2,3"};
@@ -82,7 +89,7 @@ private:
     }
 
     std::optional<Error> read_row() {
-        std::array<double, 3> point{};
+        const std::span<double> point = sink_.point();
         const auto columns = sink_.columns();
         for (std::size_t axis = 0; axis < columns.size(); ++axis) {
             const std::uint64_t place =
@@ -91,7 +98,7 @@ private:
             point[axis] = decode_number(data_.data() + at, header_.type, header_.order);
         }
         ++row_;
-        return sink_.add_point({point.data(), columns.size()}, "Row", row_);
+        return sink_.add_point(point, "Row", row_);
     }
 
     std::string_view bytes_;

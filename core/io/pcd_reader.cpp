@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -178,7 +179,7 @@ private:
     }
 
     std::optional<Error> read_row() {
-        std::array<double, 3> point{};
+        const std::span<double> point = sink_.point();
         const auto columns = sink_.columns();
         bool is_missing = false;
         for (std::size_t axis = 0; axis < columns.size(); ++axis) {
@@ -188,7 +189,7 @@ private:
             is_missing = is_missing || std::isnan(point[axis]);
         }
         ++row_;
-        if (!is_missing) return sink_.add_point({point.data(), columns.size()}, "Point", row_);
+        if (!is_missing) return sink_.add_point(point, "Point", row_);
         ++missing_;
         return std::nullopt;
     }

@@ -1,5 +1,6 @@
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -138,10 +139,10 @@ private:
         }
         ++row_;
         if (!is_vertex) return std::nullopt;
-        std::array<double, 3> point{};
+        const std::span<double> point = sink_.point();
         const auto columns = sink_.columns();
         for (std::size_t axis = 0; axis < columns.size(); ++axis) point[axis] = row_values_[columns[axis]];
-        return sink_.add_point({point.data(), columns.size()}, "Vertex", row_);
+        return sink_.add_point(point, "Vertex", row_);
     }
 
     Error wrong_length(std::uint64_t line_number) const {

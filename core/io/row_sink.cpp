@@ -1,16 +1,19 @@
 #include "io/row_sink.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "io/fields.h"
 #include "io/text.h"
 
 namespace plateau {
 
 std::optional<Error> RowSink::check_options() const {
     if (asked_.empty()) return std::nullopt;
-    if (asked_.size() != 2 && asked_.size() != 3) {
+    if (takes_any_dimension() && asked_.size() < 2) {
+        return Error{ErrorCode::InvalidOption, "Name at least two columns."};
+    }
+    if (!takes_any_dimension() && asked_.size() != 2 && asked_.size() != 3) {
         return Error{ErrorCode::InvalidOption, "Name two or three columns, not " + std::to_string(asked_.size()) + "."};
     }
     for (std::size_t k = 0; k < asked_.size(); ++k) {
@@ -38,6 +41,7 @@ std::optional<Error> RowSink::choose(std::uint32_t columns_in_file, std::span<co
         }
     }
     result_.cloud.dimension = static_cast<std::uint32_t>(chosen_.size());
+    point_.resize(chosen_.size());
     return std::nullopt;
 }
 
@@ -47,14 +51,12 @@ void RowSink::reserve(std::uint64_t points) {
     result_.cloud.coordinates.reserve(static_cast<std::size_t>(std::min(points, kMostReserved)) * chosen_.size());
 }
 
-Error not_a_number(std::string_view field, std::uint64_t line_number) {
-    const std::string what = field.empty() ? "an empty field" : in_quotes(field);
-    return {ErrorCode::MalformedInput,
-            "Line " + std::to_string(line_number) + " has " + what + " where a number should be."};
+void RowSink::warn_of_dimension(std::uint32_t columns) {
+    warn("Took all " + std::to_string(columns) + " columns as coordinates: points in R^" + std::to_string(columns) +
+         ". If they are not, name the ones that are, such as --columns 1,2,3.");
 }
 
 std::optional<Error> RowSink::add_fields(std::span<const std::string_view> fields, std::uint64_t line_number) {
-    std::array<double, 3> point{};
     for (std::size_t axis = 0; axis < chosen_.size(); ++axis) {
         if (chosen_[axis] >= fields.size()) {
             return Error{ErrorCode::RaggedRows, "Line " + std::to_string(line_number) + " ends before column " +
@@ -67,9 +69,9 @@ std::optional<Error> RowSink::add_fields(std::span<const std::string_view> field
             return Error{ErrorCode::NotANumber, "Line " + std::to_string(line_number) + " has " + in_quotes(field) +
                                                     ", which is not a finite number."};
         }
-        point[axis] = parsed.value;
+        point_[axis] = parsed.value;
     }
-    return add_point({point.data(), chosen_.size()}, "Line", line_number);
+    return add_point(point_, "Line", line_number);
 }
 
 std::optional<Error> RowSink::add_point(std::span<const double> point, const char* place, std::uint64_t number) {

@@ -1,8 +1,9 @@
-#include <array>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/fields.h"
 #include "io/format_reader.h"
 #include "io/text.h"
 
@@ -10,12 +11,6 @@ namespace plateau {
 namespace {
 
 constexpr std::size_t kMaxColumns = 4096;
-
-/// Length of the mark that makes the line a comment, 0 if it is none.
-std::size_t comment_mark(std::string_view line) {
-    if (line.starts_with("//")) return 2;
-    return line.starts_with("#") || line.starts_with(";") ? 1 : 0;
-}
 
 class TableReader : public FormatReader {
 public:
@@ -61,28 +56,8 @@ private:
         return sink_.add_fields(fields_, lines_.line_number());
     }
 
-    /// Fields between blanks, or between commas or semicolons with any blanks around; one separator at the end of the
-    /// line counts for nothing.
     std::optional<Error> split(std::string_view line) {
-        const bool commas = line.find(',') != std::string_view::npos;
-        const bool semicolons = line.find(';') != std::string_view::npos;
-        if (commas && semicolons) {
-            return Error{ErrorCode::MalformedInput,
-                         "Line " + std::to_string(lines_.line_number()) +
-                             " has commas and semicolons: write decimals with a point and use one separator."};
-        }
-        if (!commas && !semicolons) {
-            split_at_blanks(line, fields_);
-        } else {
-            fields_.clear();
-            const char separator = commas ? ',' : ';';
-            while (!line.empty()) {
-                const std::size_t end = line.find(separator);
-                fields_.push_back(trimmed(line.substr(0, end)));
-                if (end == std::string_view::npos) break;
-                line.remove_prefix(end + 1);
-            }
-        }
+        if (auto error = split_fields(line, lines_.line_number(), fields_)) return error;
         if (fields_.size() > kMaxColumns) {
             return Error{ErrorCode::MalformedInput, "Line " + std::to_string(lines_.line_number()) +
                                                         " has more than 4096 columns: this is no table of points."};
@@ -136,13 +111,13 @@ private:
             return Error{ErrorCode::UnsupportedDimension, "Line " + std::to_string(lines_.line_number()) +
                                                               " has one column; points need two or three coordinates."};
         }
-        if (columns.empty() && width_ > 3 && !is_xyz_) {
+        if (columns.empty() && width_ > 3 && !is_xyz_ && !sink_.takes_any_dimension()) {
             return Error{ErrorCode::UnsupportedDimension,
                          std::to_string(width_) + " columns: choose the coordinates with --columns 1,2,3"};
         }
         if (columns.empty()) {
-            columns = {0, 1};
-            if (width_ > 2) columns.push_back(2);
+            const std::uint32_t count = is_xyz_ ? std::min(width_, 3u) : width_;
+            for (std::uint32_t k = 0; k < count; ++k) columns.push_back(k);
         }
         if (columns.size() < width_) {
             std::string sentence = "Took columns ";
@@ -151,6 +126,8 @@ private:
             }
             sentence += " of " + std::to_string(width_) + " as coordinates";
             sink_.warn(sentence + (by_name ? ", by their names." : "."));
+        } else if (width_ > 3) {
+            sink_.warn_of_dimension(width_);
         }
         return sink_.choose(width_, columns);
     }

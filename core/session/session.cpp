@@ -4,30 +4,12 @@
 #include <bit>
 #include <string>
 
+#include "base/words.h"
 #include "landmarks/noise_scale.h"
 #include "session/engine.h"
 #include "session/options.h"
 
 namespace plateau {
-
-namespace {
-
-/// 12345 as "12,345".
-std::string grouped(std::uint64_t number) {
-    const std::string digits = std::to_string(number);
-    std::string text;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
-        text += digits[i];
-    }
-    return text;
-}
-
-std::string in_megabytes(std::uint64_t bytes) {
-    return grouped((bytes + (1u << 20) - 1) >> 20) + " MB";
-}
-
-}  // namespace
 
 struct Session::State {
     State(PointCloud points, RunOptions run_options)
