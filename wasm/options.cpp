@@ -6,6 +6,7 @@
 
 #include "cloud/samples.h"
 #include "io/family_name.h"
+#include "io/metric_name.h"
 
 namespace plateau::marshal {
 
@@ -40,6 +41,36 @@ Result<std::vector<std::uint32_t>> counts_of(const val& array, const std::string
         counts.push_back(count.value());
     }
     return counts;
+}
+
+// How far points are from each other, and how their numbers are counted then.
+std::optional<Error> take_metric(const val& source, RunOptions& options) {
+    if (const val metric = source["metric"]; given(metric)) {
+        const auto name = metric.as<std::string>();
+        const auto found = metric_named(name);
+        if (!found) return invalid("There is no metric \"" + name + "\".");
+        options.metric.metric = *found;
+    }
+    if (const val neighbors = source["neighbors"]; given(neighbors)) {
+        auto count = count_of(neighbors, "The number of neighbors");
+        if (!count) return count.error();
+        options.metric.neighbors = count.value();
+    }
+    if (const val box = source["box"]; given(box)) {
+        const auto length = box["length"].as<std::uint32_t>();
+        for (std::uint32_t i = 0; i < length; ++i) options.metric.box.push_back(box[i].as<double>());
+    }
+    if (const val last = source["maxDimension"]; given(last)) {
+        auto count = count_of(last, "The last Betti number");
+        if (!count) return count.error();
+        options.max_dimension = count.value();
+    }
+    if (const val field = source["field"]; given(field)) {
+        auto prime = count_of(field, "The field");
+        if (!prime) return prime.error();
+        options.field = prime.value();
+    }
+    return std::nullopt;
 }
 
 Result<RunOptions> run_options_of(const val& source) {
@@ -80,6 +111,7 @@ Result<RunOptions> run_options_of(const val& source) {
         options.memory_limit = std::min(options.memory_limit, static_cast<std::uint64_t>(std::min(limit, 1e15)));
     }
     if (const val rho = source["rho"]; given(rho)) options.rho = rho.as<double>();
+    if (auto error = take_metric(source, options)) return *error;
     return options;
 }
 

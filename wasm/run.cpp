@@ -10,6 +10,7 @@
 #include "io/writers.h"
 #include "marshal.h"
 #include "options.h"
+#include "projection/projection.h"
 
 namespace plateau {
 
@@ -19,6 +20,20 @@ using marshal::copied;
 namespace {
 
 constexpr const char* kStateNames[] = {"preparing", "running", "finished", "stopped"};
+
+val projection_of(const PointCloud& cloud) {
+    const DistanceMatrix& distances = cloud.distances;
+    const Projection projection =
+        cloud.dimension > 0 ? principal_axes(cloud)
+                            : classical_scaling(distances.size, [&](std::uint32_t witness, std::span<double> out) {
+                                  distances.row(witness, out);
+                              });
+    val answer = val::object();
+    answer.set("axes", projection.axes);
+    answer.set("coordinates", copied(std::span<const float>(projection.coordinates)));
+    answer.set("shares", val::array(projection.shares));
+    return answer;
+}
 
 Error not_open() {
     return {ErrorCode::Internal, "The run is not open."};
@@ -89,8 +104,11 @@ val Run::opened_with(PointCloud cloud, const std::vector<std::string>& warnings)
     const RunOptions& options = session_->options();
     const Family family = session_->timeline().family;
     val opened = val::object();
+    opened.set("count", points.size());
     opened.set("dimension", points.dimension);
     opened.set("coordinates", copied(std::span<const double>(points.coordinates)));
+    if (points.dimension == 0 || points.dimension > 3) opened.set("projection", projection_of(points));
+    opened.set("bettiCount", session_->timeline().dimension);
     opened.set("family", std::string(family_name(family)));
     opened.set("nu", val::array(options.nu));
     const Step planned = session_->progress().steps_planned;

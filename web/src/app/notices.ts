@@ -42,7 +42,7 @@ export class Notices {
 
   /** What is worth knowing of points that could be read. */
   opened({ warnings, coordinates, dimension }: Opened): void {
-    const flat = flatness(coordinates, dimension);
+    const flat = dimension === 2 || dimension === 3 ? flatness(coordinates, dimension) : undefined;
     setNotice(this.warning, [...warnings, ...(flat ? [FLAT_NOTES[flat]] : [])].join(' '));
   }
 }

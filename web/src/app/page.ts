@@ -289,7 +289,7 @@ export class Page {
     this.announcer.restart();
     this.transport.setSteps(1);
     this.status.show(feed.record, undefined, false);
-    byId('legend-voids', HTMLElement).hidden = feed.record.dimension < 3;
+    byId('legend-voids', HTMLElement).hidden = feed.record.bettiCount < 3;
     this.markSample();
     this.showEmpty();
     const { count } = feed.record.frame;

@@ -25,7 +25,8 @@ export interface StepSummary {
  * copies nothing that is there; any step is a filter on lifespans.
  */
 export class RunRecord {
-  readonly dimension: number;
+  /** Betti numbers a step. */
+  readonly bettiCount: number;
   readonly frame: CloudFrame;
   readonly family: Family;
   readonly stepsPlanned: number;
@@ -47,7 +48,7 @@ export class RunRecord {
   noise = 0;
   endedAtNoise = false;
 
-  /** Extremes of the Betti numbers over blocks of steps, `dimension` entries a block. */
+  /** Extremes of the Betti numbers over blocks of steps, `bettiCount` entries a block. */
   private readonly blockLeast: number[] = [];
   private readonly blockMost: number[] = [];
   private readonly landmarks = new ChunkedColumn<Uint32Array>((length) => new Uint32Array(length));
@@ -56,7 +57,7 @@ export class RunRecord {
   private readonly bettis = new ChunkedColumn<Uint32Array>((length) => new Uint32Array(length));
 
   constructor(opened: Opened) {
-    this.dimension = opened.dimension;
+    this.bettiCount = opened.bettiCount;
     this.frame = opened.frame;
     this.family = opened.family;
     this.stepsPlanned = opened.stepsPlanned;
@@ -131,8 +132,8 @@ export class RunRecord {
       const block = Math.floor((step - 1) / BLOCK);
       if ((step - 1) % BLOCK === 0 && step + BLOCK - 1 <= lastStep) {
         see(
-          this.blockLeast[block * this.dimension + k] ?? 0,
-          this.blockMost[block * this.dimension + k] ?? 0,
+          this.blockLeast[block * this.bettiCount + k] ?? 0,
+          this.blockMost[block * this.bettiCount + k] ?? 0,
         );
         step += BLOCK;
       } else {
@@ -145,7 +146,7 @@ export class RunRecord {
   }
 
   betti(step: number, k: number): number {
-    return this.bettis.at((step - 1) * this.dimension + k);
+    return this.bettis.at((step - 1) * this.bettiCount + k);
   }
 
   summary(step: number): StepSummary {
@@ -154,15 +155,15 @@ export class RunRecord {
       step,
       epsilon: this.epsilon(step),
       family,
-      betti: Array.from({ length: this.dimension }, (_, k) => this.betti(step, k)),
+      betti: Array.from({ length: this.bettiCount }, (_, k) => this.betti(step, k)),
       track: this.family === 'auto' && family === 'delaunay' ? 1 : 0,
     };
   }
 
   private extendBlocks(delta: Delta): void {
     for (let i = 0; i < delta.betti.length; ++i) {
-      const step = delta.firstStep + Math.floor(i / this.dimension);
-      const at = Math.floor((step - 1) / BLOCK) * this.dimension + (i % this.dimension);
+      const step = delta.firstStep + Math.floor(i / this.bettiCount);
+      const at = Math.floor((step - 1) / BLOCK) * this.bettiCount + (i % this.bettiCount);
       const value = delta.betti[i] ?? 0;
       this.blockLeast[at] = Math.min(this.blockLeast[at] ?? Infinity, value);
       this.blockMost[at] = Math.max(this.blockMost[at] ?? 0, value);

@@ -181,7 +181,7 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
     bottom: size.height - MARGIN.bottom,
   };
   let most = 3;
-  for (let k = 0; k < record.dimension && record.stepCount > 0; ++k) {
+  for (let k = 0; k < record.bettiCount && record.stepCount > 0; ++k) {
     most = Math.max(most, record.bettiExtremes(1, record.stepCount, k)[1]);
   }
   const room = frame.bottom - frame.top - 2 * SIDE_BY_SIDE - LABEL_ROOM;
@@ -192,8 +192,8 @@ export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: D
   const startOf = (step: number): number => (step > record.stepCount ? end : x(scaleOf(record, step)));
 
   const columns = columnsOf(record, ruled, 1 / resolution);
-  const series = Array.from({ length: record.dimension }, (_, k) => {
-    const aside = (k - (record.dimension - 1) / 2) * -SIDE_BY_SIDE;
+  const series = Array.from({ length: record.bettiCount }, (_, k) => {
+    const aside = (k - (record.bettiCount - 1) / 2) * -SIDE_BY_SIDE;
     return steppedLine(record, k, columns, (betti) => y(betti) + aside, end);
   });
   const bands = cards

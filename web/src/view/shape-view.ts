@@ -137,7 +137,7 @@ export class ShapeView {
     shared.uBeyond.value = this.textures[1] ?? null;
     shared.uHasBeyond.value = beyond.length > 0;
     this.project(rowsOf(axes, FIRST_AXES, 0));
-    shared.uHaze.value = record.dimension === 2 ? 0 : 1;
+    shared.uHaze.value = record.frame.axes <= 2 ? 0 : 1;
     const geometry = new BufferGeometry();
     geometry.setDrawRange(0, record.frame.count);
     this.witnesses = new Points(geometry, this.materials.witness);
@@ -317,7 +317,7 @@ export class ShapeView {
   }
 
   private get planar(): boolean {
-    return this.record?.dimension === 2;
+    return (this.frame?.axes ?? 3) <= 2;
   }
 
   private lookFrom(direction: Vector3): void {

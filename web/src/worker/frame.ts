@@ -1,4 +1,4 @@
-import type { CloudFrame } from './protocol.ts';
+import type { CloudFrame, Projection } from './protocol.ts';
 
 /** Points in a row of the texture: as wide as every WebGL 2 allows; the shaders know it. */
 export const FRAME_WIDTH = 2048;
@@ -64,12 +64,11 @@ function outlineOf(positions: Float32Array, count: number): Float32Array {
 /** Poles of the unit sphere: a cloud of more than three dimensions may turn anything towards the eye. */
 const ALL_AROUND = Float32Array.of(1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1);
 
-/**
- * n rows of coordinates along up to 8 axes as the page draws them. Here, because a million of them would make the page
- * wait. `shares`: what each axis keeps, where the axes are those of a projection.
- */
-export function frameOf(coordinates: Coordinates, axes: number, shares: readonly number[] = []): CloudFrame {
-  const count = coordinates.length / axes;
+/** What is drawn: n rows of coordinates along up to 8 axes; `shares` where they are those of a projection. */
+export type Drawn = Omit<Projection, 'coordinates'> & { readonly coordinates: Coordinates };
+
+/** The points as the page draws them. Here, because a million of them would make the page wait. */
+export function frameOf(count: number, { axes, coordinates, shares }: Drawn): CloudFrame {
   const { center, extent } = boxOf(coordinates, axes);
   const texels = FRAME_WIDTH * Math.max(1, Math.ceil(count / FRAME_WIDTH)) * 4;
   const positions = new Float32Array(texels);

@@ -8,8 +8,21 @@ export type Family = 'witness' | 'delaunay' | 'surface' | 'auto';
 /** Which complex a step shows; never `auto`. */
 export type ShownFamily = 'witness' | 'delaunay' | 'surface';
 
+export type Metric =
+  'euclidean' | 'l1' | 'linf' | 'angular' | 'projective' | 'periodic' | 'geodesic' | 'matrix';
+
 export interface RunOptions {
   readonly family?: Family;
+  /** Absent: euclidean, or matrix where the source holds distances. Others are for family witness. */
+  readonly metric?: Metric;
+  /** Geodesic: to how many nearest others every point is joined. */
+  readonly neighbors?: number;
+  /** Periodic: the period of every axis, 0 for none; one number is for all axes; absent: the unit box. */
+  readonly box?: readonly number[];
+  /** Family witness: the last Betti number. */
+  readonly maxDimension?: number;
+  /** A prime; matters for family witness. */
+  readonly field?: number;
   readonly nu?: readonly number[];
   /** 0-based input index of the first landmark. */
   readonly first?: number;
@@ -76,11 +89,28 @@ export type WorkerRequest =
 
 export type RunState = 'preparing' | 'running' | 'finished' | 'stopped';
 
+/** Coordinates for the eye alone. */
+export interface Projection {
+  /** At most 8; fewer, even none, where the cloud spreads in fewer directions. */
+  readonly axes: number;
+  /** n rows of `axes` numbers, input units. */
+  readonly coordinates: Float32Array;
+  /** One an axis, falling: what it keeps of the whole spread, 0 to 1. */
+  readonly shares: readonly number[];
+}
+
 /** What the module says of a run that it has opened. */
 export interface OpenedRun {
+  /** Points. */
+  readonly count: number;
+  /** Of their coordinates; 0: there are only distances. */
   readonly dimension: number;
   /** n rows of `dimension` numbers, input units. */
   readonly coordinates: Float64Array;
+  /** What to draw where there are not 2 or 3 coordinates. */
+  readonly projection?: Projection;
+  /** How many Betti numbers a step has. */
+  readonly bettiCount: number;
   readonly family: Family;
   readonly nu: readonly number[];
   readonly stepsPlanned: number;
@@ -134,7 +164,7 @@ export interface Delta {
   readonly epsilon: Float64Array;
   /** 0 witness, 1 delaunay, 2 surface. */
   readonly shownFamily: Uint8Array;
-  /** `dimension` numbers a new step. */
+  /** `bettiCount` numbers a new step. */
   readonly betti: Uint32Array;
   /** Two vertices (steps, ascending) an edge; the birth is the last vertex. */
   readonly edges: Uint32Array;
@@ -162,7 +192,7 @@ export interface Plateaus {
   /** epsilon+(first) / epsilon+(last + 1). */
   readonly ratio: Float64Array;
   readonly family: Uint8Array;
-  /** `dimension` numbers a plateau. */
+  /** `bettiCount` numbers a plateau. */
   readonly betti: Uint32Array;
   /** Indices into the arrays above, longest first. */
   readonly ranked: Uint32Array;
