@@ -65,7 +65,10 @@ Run::Run(const val& source, const val& options) {
             return;
         }
         read.columns = std::move(list).value();
+        read.as = ReadAs::PointsOfAnyDimension;
     }
+    if (options_.metric.metric == Metric::Matrix) read.as = ReadAs::Distances;
+    read.memory_limit = options_.memory_limit;
     try {
         reader_.emplace(marshal::bytes_of(source["bytes"]), source["name"].as<std::string>(), read);
     } catch (const std::bad_alloc&) {

@@ -51,11 +51,15 @@ sampleSelect.addEventListener('change', () => {
 byId('columns-form', HTMLFormElement).addEventListener('submit', (event) => {
   event.preventDefault();
   try {
-    page.openWithColumns(parseList(byId('columns', HTMLInputElement).value, 1, 'Columns'));
+    page.openFailedWith(parseList(byId('columns', HTMLInputElement).value, 1, 'Columns'), {});
   } catch (error) {
     page.showError(error);
   }
 });
+
+byId('open-as-matrix', HTMLButtonElement).addEventListener('click', () =>
+  page.openFailedWith([], { metric: 'matrix' }),
+);
 
 byId('dismiss', HTMLButtonElement).addEventListener('click', () => page.dismissError());
 
@@ -128,6 +132,7 @@ listenToKeys({
     '4': () => page.tools.toggleLayer(3),
     c: () => page.tools.toggleColor(),
     x: () => page.tools.toggleSection(),
+    d: () => page.tools.toggleTurning(),
     l: turnAxis,
     f: () => page.shape?.fit(),
     '?': () => help.open(),

@@ -165,10 +165,10 @@ export class Page {
     this.root.removeAttribute('aria-busy');
   }
 
-  /** The file that could not be read without columns, with them. */
-  openWithColumns(columns: readonly number[]): void {
+  /** The file that could not be read without knowing what its columns are; none: they are distances. */
+  openFailedWith(columns: readonly number[], options: RunOptions): void {
     if (this.failedChoice?.kind !== 'file') return;
-    void this.open({ kind: 'file', file: this.failedChoice.file, columns }, {}, 'answer');
+    void this.open({ kind: 'file', file: this.failedChoice.file, columns }, options, 'answer');
   }
 
   showError(error: unknown, about = ''): void {

@@ -1,5 +1,7 @@
 import type { Opened, RunOptions } from '../worker/protocol.ts';
 import { byId } from './dom.ts';
+import { positive, wholeFrom } from './entries.ts';
+import { MetricSettings } from './metric-settings.ts';
 import { isFamily, parseList, type SourceChoice } from './source.ts';
 
 /** What a form of settings asks for. */
@@ -9,26 +11,10 @@ export interface Asked {
   readonly choice: SourceChoice;
 }
 
-/** A number above 0, or undefined where nothing or 0 is written. */
-function positive(input: HTMLInputElement, name: string): number | undefined {
-  const text = input.value.trim().replace(',', '.');
-  if (text === '') return undefined;
-  const value = Number(text);
-  if (!Number.isFinite(value) || value < 0) throw new Error(`${name} takes a number from 0 on.`);
-  return value > 0 ? value : undefined;
-}
-
-function wholeFrom(least: number, input: HTMLInputElement, name: string): number | undefined {
-  if (input.value.trim() === '' && !input.validity.badInput) return undefined;
-  const value = input.valueAsNumber;
-  if (!Number.isInteger(value) || value < least)
-    throw new Error(`${name} takes a whole number from ${least} on.`);
-  return value;
-}
-
 /** Settings of the run and of the sample; a change asks for a new run. */
 export class SettingsForm {
   private readonly family = byId('family', HTMLSelectElement);
+  private readonly metric = new MetricSettings();
   private readonly nu = byId('nu', HTMLInputElement);
   private readonly first = byId('first', HTMLInputElement);
   private readonly rho = byId('rho', HTMLInputElement);
@@ -43,6 +29,7 @@ export class SettingsForm {
     form.addEventListener('change', (event) => {
       // Each family has a ν of its own.
       if (event.target === this.family) this.nu.value = '';
+      if (this.metric.needsWitness && this.family.value !== 'witness') this.family.value = '';
       onChange();
     });
   }
@@ -56,6 +43,7 @@ export class SettingsForm {
     const rho = positive(this.rho, 'ρ');
     const options: RunOptions = {
       ...(isFamily(this.family.value) ? { family: this.family.value } : {}),
+      ...this.metric.asked(),
       ...(nu.length > 0 ? { nu } : {}),
       ...(first === undefined ? {} : { first }),
       ...(maxSteps === undefined ? {} : { maxSteps }),
@@ -75,6 +63,7 @@ export class SettingsForm {
   show(choice: SourceChoice, options: RunOptions, opened: Opened): void {
     const text = (value: number | undefined): string => (value === undefined ? '' : String(value));
     this.family.value = options.family ?? '';
+    this.metric.show(options, opened);
     this.nu.value = options.nu?.join(', ') ?? '';
     this.nu.placeholder = opened.nu.join(', ');
     this.first.value = String(options.first ?? 0);
