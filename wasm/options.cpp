@@ -6,6 +6,7 @@
 
 #include "cloud/samples.h"
 #include "io/family_name.h"
+#include "io/metric_name.h"
 
 namespace plateau::marshal {
 
@@ -42,9 +43,49 @@ Result<std::vector<std::uint32_t>> counts_of(const val& array, const std::string
     return counts;
 }
 
+namespace {
+
+/// What says how far two points are from each other.
+Result<MetricOptions> metric_options_of(const val& source) {
+    MetricOptions options;
+    if (const val metric = source["metric"]; given(metric)) {
+        const auto name = metric.as<std::string>();
+        const auto named = metric_named(name);
+        if (!named) {
+            return invalid("There is no metric \"" + name + "\"; take " + std::string(kMetricChoice) + ".");
+        }
+        options.metric = *named;
+    }
+    if (const val neighbors = source["knn"]; given(neighbors)) {
+        auto count = count_of(neighbors, "The number of nearest neighbors");
+        if (!count) return count.error();
+        options.neighbors = count.value();
+    }
+    if (const val box = source["box"]; given(box)) {
+        const auto length = box["length"].as<std::uint32_t>();
+        for (std::uint32_t axis = 0; axis < length; ++axis) options.box.push_back(box[axis].as<double>());
+    }
+    return options;
+}
+
+}  // namespace
+
 Result<RunOptions> run_options_of(const val& source) {
     RunOptions options;
     if (!given(source)) return options;
+    auto metric = metric_options_of(source);
+    if (!metric) return metric.error();
+    options.metric = std::move(metric).value();
+    if (const val last = source["maxDimension"]; given(last)) {
+        auto count = count_of(last, "The last Betti number");
+        if (!count) return count.error();
+        options.max_dimension = count.value();
+    }
+    if (const val field = source["field"]; given(field)) {
+        auto prime = count_of(field, "The field");
+        if (!prime) return prime.error();
+        options.field = prime.value();
+    }
     if (const val family = source["family"]; given(family)) {
         const auto name = family.as<std::string>();
         options.family = family_named(name);

@@ -5,7 +5,10 @@ export const NEVER = 0xffffffff;
 
 export function openedWith(parts: Partial<Opened> = {}): Opened {
   return {
+    points: 10,
     dimension: 3,
+    bettiCount: 3,
+    metric: 'euclidean',
     coordinates: new Float64Array(30),
     family: 'auto',
     nu: [1, 6, 6, 4],

@@ -8,8 +8,29 @@ export type Family = 'witness' | 'delaunay' | 'surface' | 'auto';
 /** Which complex a step shows; never `auto`. */
 export type ShownFamily = 'witness' | 'delaunay' | 'surface';
 
+/** How far two points are from each other; all but `euclidean` are for family `witness`. */
+export type Metric =
+  | 'euclidean'
+  | 'l1'
+  | 'linf'
+  | 'angular'
+  | 'projective'
+  | 'periodic'
+  | 'geodesic'
+  /** The file is a distance matrix. */
+  | 'matrix';
+
 export interface RunOptions {
   readonly family?: Family;
+  readonly metric?: Metric;
+  /** Metric `geodesic`: to how many nearest others every point is joined. */
+  readonly knn?: number;
+  /** Metric `periodic`: the period of every axis, or one for all; 0: none. Absent: the unit box. */
+  readonly box?: readonly number[];
+  /** Family `witness`: the last Betti number, at most 6. */
+  readonly maxDimension?: number;
+  /** Family `witness`: Betti numbers over Z/p for this prime p. */
+  readonly field?: number;
   readonly nu?: readonly number[];
   /** 0-based input index of the first landmark. */
   readonly first?: number;
@@ -31,6 +52,8 @@ export type CloudSource =
       readonly bytes: ArrayBuffer;
       /** 1-based columns that are coordinates; absent: as the reader decides. */
       readonly columns?: readonly number[];
+      /** A table of more than three columns is taken as a whole; absent: it asks which are meant. */
+      readonly anyDimension?: boolean;
     }
   | {
       readonly kind: 'sample';
@@ -78,7 +101,13 @@ export type RunState = 'preparing' | 'running' | 'finished' | 'stopped';
 
 /** What the module says of a run that it has opened. */
 export interface OpenedRun {
+  /** n */
+  readonly points: number;
+  /** Coordinates a point; 0 where there are only distances. */
   readonly dimension: number;
+  /** Betti numbers a step. */
+  readonly bettiCount: number;
+  readonly metric: Metric;
   /** n rows of `dimension` numbers, input units. */
   readonly coordinates: Float64Array;
   readonly family: Family;
