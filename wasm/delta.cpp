@@ -17,9 +17,11 @@ namespace {
 void add_simplices(val& delta, const Timeline& timeline, int dim, Step done, Step end, const char* tuples_name,
                    const char* death_name) {
     std::array<std::vector<Step>, kMaxTracks> death;
-    const SimplexTable& table = timeline.table(dim);
-    const SimplexIndex first = table.first_of_step[done + 1];
-    const SimplexIndex last = table.first_of_step[end + 1];
+    const SimplexTable none;  // of a run that has no simplices of this dimension
+    const bool has_table = dim <= static_cast<int>(timeline.dimension);
+    const SimplexTable& table = has_table ? timeline.table(dim) : none;
+    const SimplexIndex first = has_table ? table.first_of_step[done + 1] : 0;
+    const SimplexIndex last = has_table ? table.first_of_step[end + 1] : 0;
     const auto width = static_cast<std::size_t>(dim + 1);
     const auto tuples = std::span(table.vertices).subspan(first * width, (last - first) * width);
     for (int track = 0; track < timeline.track_count; ++track) {
@@ -82,7 +84,8 @@ void add_rows(val& delta, const Timeline& timeline, Step done, Step end) {
 Step delta_end(const Timeline& timeline, Step done, std::uint32_t max_simplices) {
     const auto born_by = [&](Step step) {
         std::uint64_t born = step;
-        for (int dim = 1; dim <= 2; ++dim) born += timeline.table(dim).first_of_step[step + 1];
+        const int largest = std::min(2, static_cast<int>(timeline.dimension));
+        for (int dim = 1; dim <= largest; ++dim) born += timeline.table(dim).first_of_step[step + 1];
         if (!timeline.surface.empty()) born += timeline.first_row_of_step[step + 1];
         return born;
     };

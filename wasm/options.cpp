@@ -43,23 +43,39 @@ Result<std::vector<std::uint32_t>> counts_of(const val& array, const std::string
     return counts;
 }
 
-// How far points are from each other, and how their numbers are counted then.
-std::optional<Error> take_metric(const val& source, RunOptions& options) {
+namespace {
+
+/// What says how far two points are from each other.
+Result<MetricOptions> metric_options_of(const val& source) {
+    MetricOptions options;
     if (const val metric = source["metric"]; given(metric)) {
         const auto name = metric.as<std::string>();
-        const auto found = metric_named(name);
-        if (!found) return invalid("There is no metric \"" + name + "\".");
-        options.metric.metric = *found;
+        const auto named = metric_named(name);
+        if (!named) {
+            return invalid("There is no metric \"" + name + "\"; take " + std::string(kMetricChoice) + ".");
+        }
+        options.metric = *named;
     }
-    if (const val neighbors = source["neighbors"]; given(neighbors)) {
-        auto count = count_of(neighbors, "The number of neighbors");
+    if (const val neighbors = source["knn"]; given(neighbors)) {
+        auto count = count_of(neighbors, "The number of nearest neighbors");
         if (!count) return count.error();
-        options.metric.neighbors = count.value();
+        options.neighbors = count.value();
     }
     if (const val box = source["box"]; given(box)) {
         const auto length = box["length"].as<std::uint32_t>();
-        for (std::uint32_t i = 0; i < length; ++i) options.metric.box.push_back(box[i].as<double>());
+        for (std::uint32_t axis = 0; axis < length; ++axis) options.box.push_back(box[axis].as<double>());
     }
+    return options;
+}
+
+}  // namespace
+
+Result<RunOptions> run_options_of(const val& source) {
+    RunOptions options;
+    if (!given(source)) return options;
+    auto metric = metric_options_of(source);
+    if (!metric) return metric.error();
+    options.metric = std::move(metric).value();
     if (const val last = source["maxDimension"]; given(last)) {
         auto count = count_of(last, "The last Betti number");
         if (!count) return count.error();
@@ -70,12 +86,6 @@ std::optional<Error> take_metric(const val& source, RunOptions& options) {
         if (!prime) return prime.error();
         options.field = prime.value();
     }
-    return std::nullopt;
-}
-
-Result<RunOptions> run_options_of(const val& source) {
-    RunOptions options;
-    if (!given(source)) return options;
     if (const val family = source["family"]; given(family)) {
         const auto name = family.as<std::string>();
         options.family = family_named(name);
@@ -111,7 +121,6 @@ Result<RunOptions> run_options_of(const val& source) {
         options.memory_limit = std::min(options.memory_limit, static_cast<std::uint64_t>(std::min(limit, 1e15)));
     }
     if (const val rho = source["rho"]; given(rho)) options.rho = rho.as<double>();
-    if (auto error = take_metric(source, options)) return *error;
     return options;
 }
 

@@ -7,6 +7,7 @@
 #include "cloud/samples.h"
 #include "delta.h"
 #include "io/family_name.h"
+#include "io/metric_name.h"
 #include "io/writers.h"
 #include "marshal.h"
 #include "options.h"
@@ -65,6 +66,8 @@ Run::Run(const val& source, const val& options) {
             return;
         }
         read.columns = std::move(list).value();
+    }
+    if (const val any = source["anyDimension"]; marshal::given(any) && any.as<bool>()) {
         read.as = ReadAs::PointsOfAnyDimension;
     }
     if (options_.metric.metric == Metric::Matrix) read.as = ReadAs::Distances;
@@ -107,16 +110,18 @@ val Run::opened_with(PointCloud cloud, const std::vector<std::string>& warnings)
     const RunOptions& options = session_->options();
     const Family family = session_->timeline().family;
     val opened = val::object();
-    opened.set("count", points.size());
+    opened.set("points", points.size());
     opened.set("dimension", points.dimension);
+    opened.set("bettiCount", session_->timeline().dimension);
+    opened.set("metric", std::string(metric_name(options.metric.metric)));
     opened.set("coordinates", copied(std::span<const double>(points.coordinates)));
     if (points.dimension == 0 || points.dimension > 3) opened.set("projection", projection_of(points));
-    opened.set("bettiCount", session_->timeline().dimension);
     opened.set("family", std::string(family_name(family)));
     opened.set("nu", val::array(options.nu));
     const Step planned = session_->progress().steps_planned;
-    const std::uint64_t needed = estimated_memory(points.size(), planned, points.dimension, family);
-    const Step affordable = affordable_landmarks(points.size(), points.dimension, family, options.memory_limit);
+    const std::uint64_t input = input_memory(points);
+    const std::uint64_t needed = estimated_memory(points.size(), planned, points.dimension, family) + input;
+    const Step affordable = affordable_landmarks(points.size(), points.dimension, family, options.memory_limit - input);
     opened.set("stepsPlanned", planned);
     opened.set("estimatedBytes", static_cast<double>(needed));
     opened.set("memoryLimitBytes", static_cast<double>(options.memory_limit));
@@ -217,6 +222,7 @@ val Run::export_file(const std::string& format, const val& step) const {
         } else if (format == "plateaus-json") {
             text = plateaus_json(*session_);
         } else if (format == "mesh-ply") {
+            if (const auto objection = mesh_objection(*session_)) return marshal::failed(*objection);
             std::optional<Step> at;
             if (marshal::given(step)) {
                 auto number = marshal::count_of(step, "The step");

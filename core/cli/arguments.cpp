@@ -78,16 +78,6 @@ std::optional<Error> complete_metric(RunArguments& run, const RawText& raw, bool
     return std::nullopt;
 }
 
-/// Edges drawn between the points would lie elsewhere than the metric has them.
-std::optional<Error> check_mesh(const RunArguments& run) {
-    const Metric metric = run.options.metric.metric;
-    const bool has_none = metric == Metric::Matrix || metric == Metric::Periodic || metric == Metric::Projective;
-    if (run.mesh.empty() || !has_none) return std::nullopt;
-    return invalid("--mesh is not for --metric " + std::string(metric_name(metric)) + ": " +
-                   (metric == Metric::Matrix ? "distances have no place in space."
-                                             : "its edges are no straight lines between the points."));
-}
-
 std::optional<Error> complete(RunArguments& run, const RawText& raw) {
     if (!raw.family.empty()) {
         run.options.family = family_named(raw.family);
@@ -219,7 +209,6 @@ Result<Arguments> parse_arguments(int count, const char* const* values) {
     if (run_app->parsed()) {
         if (auto error = complete(run, raw)) return std::move(*error);
         if (auto error = complete_metric(run, raw, run_app->count("--knn") > 0)) return std::move(*error);
-        if (auto error = check_mesh(run)) return std::move(*error);
         return Arguments(std::move(run));
     }
     if (sample_size->count() == 0) {

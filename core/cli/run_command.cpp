@@ -29,12 +29,6 @@ Error out_of_range(Step at, Step steps) {
             "--at " + std::to_string(at) + " is out of range: the run has " + std::to_string(steps) + " steps."};
 }
 
-std::optional<Error> check_mesh(const RunArguments& arguments, const PointCloud& cloud) {
-    if (arguments.mesh.empty() || cloud.dimension <= 3) return std::nullopt;
-    return Error{ErrorCode::InvalidOption, "--mesh is for points in the plane and in space; these have " +
-                                               std::to_string(cloud.dimension) + " coordinates."};
-}
-
 /// Steps until the end or until the user interrupts.
 Progress run_to_end(Session& session, bool show_progress) {
     ProgressLine line(show_progress);
@@ -121,7 +115,7 @@ Result<int> run(const RunArguments& arguments) {
     auto opened = Session::open(std::move(read.value().cloud), options);
     if (!opened) return opened.error();
     Session session = std::move(opened).value();
-    if (auto error = check_mesh(arguments, session.cloud())) return std::move(*error);
+    if (auto objection = mesh_objection(session); objection && !arguments.mesh.empty()) return std::move(*objection);
     const Step planned = session.progress().steps_planned;
     if (arguments.at && *arguments.at > planned) return out_of_range(*arguments.at, planned);
 

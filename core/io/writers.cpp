@@ -114,6 +114,19 @@ std::string plateaus_json(const Session& session) {
     return text + "\n]}\n";
 }
 
+std::optional<Error> mesh_objection(const Session& session) {
+    const Metric metric = session.options().metric.metric;
+    const std::uint32_t dimension = session.cloud().dimension;
+    std::string why;
+    if (metric == Metric::Matrix) why = "distances have no place in space.";
+    if (metric == Metric::Periodic)
+        why = "edges that leave the box on one side and come back on the other cannot be drawn.";
+    if (metric == Metric::Projective) why = "edges between lines are no straight lines between points.";
+    if (dimension > 3) why = "points with " + std::to_string(dimension) + " coordinates have no place in space.";
+    if (why.empty()) return std::nullopt;
+    return Error{ErrorCode::InvalidOption, "There is no mesh of this run: " + why};
+}
+
 Step default_mesh_step(const Session& session) {
     const std::vector<Plateau> plateaus = session.plateaus();
     if (plateaus.empty()) return session.timeline().step_count;

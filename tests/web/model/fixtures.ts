@@ -5,10 +5,11 @@ export const NEVER = 0xffffffff;
 
 export function openedWith(parts: Partial<Opened> = {}): Opened {
   return {
-    count: 10,
+    points: 10,
     dimension: 3,
-    coordinates: new Float64Array(30),
     bettiCount: 3,
+    metric: 'euclidean',
+    coordinates: new Float64Array(30),
     family: 'auto',
     nu: [1, 6, 6, 4],
     stepsPlanned: 10,

@@ -17,12 +17,12 @@ function isMetric(text: string): text is Metric {
   return METRICS.includes(text);
 }
 
-type Chosen = Pick<RunOptions, 'metric' | 'neighbors' | 'box' | 'maxDimension' | 'field'>;
+type Chosen = Pick<RunOptions, 'metric' | 'knn' | 'box' | 'maxDimension' | 'field'>;
 
 /** How far points are from each other, and over what their numbers are counted. */
 export class MetricSettings {
   private readonly metric = byId('metric', HTMLSelectElement);
-  private readonly neighbors = byId('neighbors', HTMLInputElement);
+  private readonly knn = byId('knn', HTMLInputElement);
   private readonly box = byId('box', HTMLInputElement);
   private readonly lastBetti = byId('max-dimension', HTMLInputElement);
   private readonly field = byId('field', HTMLInputElement);
@@ -36,13 +36,13 @@ export class MetricSettings {
   asked(): Chosen {
     const { value } = this.metric;
     const metric = isMetric(value) && value !== 'euclidean' ? value : undefined;
-    const neighbors = metric === 'geodesic' ? wholeFrom(1, this.neighbors, 'Neighbors') : undefined;
+    const knn = metric === 'geodesic' ? wholeFrom(1, this.knn, 'Neighbors') : undefined;
     const box = metric === 'periodic' ? numberList(this.box.value, 'The box') : [];
     const maxDimension = wholeFrom(1, this.lastBetti, 'The last Betti number');
     const field = positive(this.field, 'The field');
     return {
       ...(metric === undefined ? {} : { metric }),
-      ...(neighbors === undefined ? {} : { neighbors }),
+      ...(knn === undefined ? {} : { knn }),
       ...(box.length > 0 ? { box } : {}),
       ...(maxDimension === undefined ? {} : { maxDimension }),
       ...(field === undefined ? {} : { field }),
@@ -50,18 +50,18 @@ export class MetricSettings {
   }
 
   show(options: Chosen, opened: Opened): void {
-    this.metric.value = options.metric ?? 'euclidean';
+    this.metric.value = opened.metric;
     // A matrix has no coordinates to measure otherwise, and coordinates are no matrix.
     for (const option of this.metric.options)
       option.disabled = (option.value === 'matrix') !== (opened.dimension === 0);
-    this.neighbors.value = String(options.neighbors ?? '');
+    this.knn.value = String(options.knn ?? '');
     this.box.value = options.box?.join(', ') ?? '';
     this.lastBetti.value = String(options.maxDimension ?? '');
     this.lastBetti.placeholder = String(opened.bettiCount - 1);
     this.field.value = String(options.field ?? '');
     const witness = opened.family === 'witness';
-    byId('neighbors-row', HTMLElement).hidden = options.metric !== 'geodesic';
-    byId('box-row', HTMLElement).hidden = options.metric !== 'periodic';
+    byId('knn-row', HTMLElement).hidden = opened.metric !== 'geodesic';
+    byId('box-row', HTMLElement).hidden = opened.metric !== 'periodic';
     byId('max-dimension-row', HTMLElement).hidden = byId('field-row', HTMLElement).hidden = !witness;
   }
 }

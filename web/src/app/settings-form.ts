@@ -67,7 +67,7 @@ export class SettingsForm {
     this.nu.value = options.nu?.join(', ') ?? '';
     this.nu.placeholder = opened.nu.join(', ');
     this.first.value = String(options.first ?? 0);
-    this.first.max = String(opened.count - 1);
+    this.first.max = String(opened.points - 1);
     this.rho.value = text(options.rho);
     this.maxSteps.value = text(options.maxSteps);
     this.until.value = text(options.untilEpsilon);

@@ -52,7 +52,12 @@ export async function cloudSource(choice: SourceChoice): Promise<CloudSource> {
       `${file.name} could not be read. It may have been moved, or it is too large for this browser.`,
     );
   }
-  return { kind: 'file', name: file.name, bytes, ...(columns && columns.length > 0 ? { columns } : {}) };
+  return {
+    kind: 'file',
+    name: file.name,
+    bytes,
+    ...(columns && columns.length > 0 ? { columns, anyDimension: true } : {}),
+  };
 }
 
 /** The bunny's mesh is loaded when it is first asked for. */

@@ -8,20 +8,28 @@ export type Family = 'witness' | 'delaunay' | 'surface' | 'auto';
 /** Which complex a step shows; never `auto`. */
 export type ShownFamily = 'witness' | 'delaunay' | 'surface';
 
+/** How far two points are from each other; all but `euclidean` are for family `witness`. */
 export type Metric =
-  'euclidean' | 'l1' | 'linf' | 'angular' | 'projective' | 'periodic' | 'geodesic' | 'matrix';
+  | 'euclidean'
+  | 'l1'
+  | 'linf'
+  | 'angular'
+  | 'projective'
+  | 'periodic'
+  | 'geodesic'
+  /** The file is a distance matrix. */
+  | 'matrix';
 
 export interface RunOptions {
   readonly family?: Family;
-  /** Absent: euclidean, or matrix where the source holds distances. Others are for family witness. */
   readonly metric?: Metric;
-  /** Geodesic: to how many nearest others every point is joined. */
-  readonly neighbors?: number;
-  /** Periodic: the period of every axis, 0 for none; one number is for all axes; absent: the unit box. */
+  /** Metric `geodesic`: to how many nearest others every point is joined. */
+  readonly knn?: number;
+  /** Metric `periodic`: the period of every axis, or one for all; 0: none. Absent: the unit box. */
   readonly box?: readonly number[];
-  /** Family witness: the last Betti number. */
+  /** Family `witness`: the last Betti number, at most 6. */
   readonly maxDimension?: number;
-  /** A prime; matters for family witness. */
+  /** Family `witness`: Betti numbers over Z/p for this prime p. */
   readonly field?: number;
   readonly nu?: readonly number[];
   /** 0-based input index of the first landmark. */
@@ -44,6 +52,8 @@ export type CloudSource =
       readonly bytes: ArrayBuffer;
       /** 1-based columns that are coordinates; absent: as the reader decides. */
       readonly columns?: readonly number[];
+      /** A table of more than three columns is taken as a whole; absent: it asks which are meant. */
+      readonly anyDimension?: boolean;
     }
   | {
       readonly kind: 'sample';
@@ -101,16 +111,17 @@ export interface Projection {
 
 /** What the module says of a run that it has opened. */
 export interface OpenedRun {
-  /** Points. */
-  readonly count: number;
-  /** Of their coordinates; 0: there are only distances. */
+  /** n */
+  readonly points: number;
+  /** Coordinates a point; 0 where there are only distances. */
   readonly dimension: number;
+  /** Betti numbers a step. */
+  readonly bettiCount: number;
+  readonly metric: Metric;
   /** n rows of `dimension` numbers, input units. */
   readonly coordinates: Float64Array;
   /** What to draw where there are not 2 or 3 coordinates. */
   readonly projection?: Projection;
-  /** How many Betti numbers a step has. */
-  readonly bettiCount: number;
   readonly family: Family;
   readonly nu: readonly number[];
   readonly stepsPlanned: number;
@@ -128,7 +139,7 @@ export interface CloudFrame {
   /** Units of the frame for one unit of the input. */
   readonly scale: number;
   readonly count: number;
-  /** 2 or 3: the coordinates of the input; more: those of a projection, up to 8. */
+  /** 2 or 3: the coordinates of the input; else those of a projection, up to 8. */
   readonly axes: number;
   /** Of a projection, one an axis: what it keeps of the whole spread, 0 to 1; else empty. */
   readonly shares: readonly number[];
@@ -164,7 +175,7 @@ export interface Delta {
   readonly epsilon: Float64Array;
   /** 0 witness, 1 delaunay, 2 surface. */
   readonly shownFamily: Uint8Array;
-  /** `bettiCount` numbers a new step. */
+  /** `dimension` numbers a new step. */
   readonly betti: Uint32Array;
   /** Two vertices (steps, ascending) an edge; the birth is the last vertex. */
   readonly edges: Uint32Array;
@@ -192,7 +203,7 @@ export interface Plateaus {
   /** epsilon+(first) / epsilon+(last + 1). */
   readonly ratio: Float64Array;
   readonly family: Uint8Array;
-  /** `bettiCount` numbers a plateau. */
+  /** `dimension` numbers a plateau. */
   readonly betti: Uint32Array;
   /** Indices into the arrays above, longest first. */
   readonly ranked: Uint32Array;

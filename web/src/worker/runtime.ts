@@ -132,8 +132,8 @@ export class WorkerRuntime {
     const opened = entry.core.open(SLICE_MS);
     if (!opened) return;
     entry.phase = 'running';
-    const { count, dimension, coordinates, projection } = opened;
-    const frame = frameOf(count, projection ?? { axes: dimension, coordinates, shares: [] });
+    const { points, dimension, coordinates, projection } = opened;
+    const frame = frameOf(points, projection ?? { axes: dimension, coordinates, shares: [] });
     const { requestId } = entry.openRequest;
     this.send({ kind: 'opened', runId, requestId, opened: { ...opened, frame } });
   }
