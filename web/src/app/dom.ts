@@ -10,3 +10,10 @@ export function setNotice(element: HTMLElement, text: string): void {
   element.textContent = text;
   element.hidden = text === '';
 }
+
+/** The lines of the diagram that there are. */
+export function showLegend(bettiCount: number): void {
+  document.querySelectorAll<HTMLElement>('.legend > span').forEach((entry, k) => {
+    entry.hidden = k >= bettiCount;
+  });
+}

@@ -8,7 +8,7 @@ import { DiagramView } from '../view/diagram-view.ts';
 import type { Failure, RunOptions } from '../worker/protocol.ts';
 import { Announcer } from './announcer.ts';
 import { CardList } from './card-list.ts';
-import { byId } from './dom.ts';
+import { byId, showLegend } from './dom.ts';
 import { EarlierRun, sameShape, type ShownRun } from './earlier-run.ts';
 import { Film } from './film.ts';
 import { Notices } from './notices.ts';
@@ -289,7 +289,7 @@ export class Page {
     this.announcer.restart();
     this.transport.setSteps(1);
     this.status.show(feed.record, undefined, false);
-    byId('legend-voids', HTMLElement).hidden = feed.record.bettiCount < 3;
+    showLegend(feed.record.bettiCount);
     this.markSample();
     this.showEmpty();
     const { count } = feed.record.frame;

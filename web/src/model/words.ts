@@ -7,6 +7,9 @@ export function bettiInWords(betti: readonly number[]): string {
   const parts = [counted(components, 'component')];
   if (loops > 0) parts.push(counted(loops, 'loop'));
   if (voids > 0) parts.push(counted(voids, 'void'));
+  betti.forEach((count, k) => {
+    if (k > 2 && count > 0) parts.push(`${counted(count, 'hole')} of dimension ${k}`);
+  });
   return parts.join(', ');
 }
 
@@ -32,8 +35,20 @@ function closedSurface(components: number, loops: number): string {
   return `closed surface with ${loops / 2} handles`;
 }
 
+/** Holes that surround more than a void, as only shapes beyond space have. */
+function beyondSpace(betti: readonly number[], last: number): string {
+  const [components = 0] = betti;
+  if (components > 1) return `${components} pieces with holes up to dimension ${last}`;
+  const others = betti.slice(1, last).some((count) => count > 0);
+  return !others && betti[last] === 1
+    ? `${last}-sphere-like shape`
+    : `one piece with holes up to dimension ${last}`;
+}
+
 function complexIn(betti: readonly number[]): string {
   const [components = 0, loops = 0, voids = 0] = betti;
+  const last = betti.reduce((highest, count, k) => (count > 0 ? k : highest), 0);
+  if (last > 2) return beyondSpace(betti, last);
   if (voids > 0) {
     if (components === 1 && voids === 1 && loops === 0) return 'sphere-like hollow shape';
     if (components === 1 && voids === 1 && loops === 2) return 'torus-like hollow shape';

@@ -5,8 +5,9 @@ import { layOut } from './diagram-layout.ts';
 
 const SIZE = { width: 900, height: 340, resolution: 4 };
 const LEGEND_HEIGHT = 34;
-const BETTI_COLORS = ['#0072B2', '#D55E00', '#009E73'];
-const BETTI_NAMES = ['β₀ components', 'β₁ loops', 'β₂ voids'];
+const BETTI_COLORS = ['#0072B2', '#D55E00', '#009E73', '#A0408C', '#7A6A00', '#5B5FC7', '#6B7280'];
+const BETTI_NAMES = ['β₀ components', 'β₁ loops', 'β₂ voids', 'β₃', 'β₄', 'β₅', 'β₆'];
+const LEGEND_STEPS = [140, 110, 105, 65, 65, 65, 65];
 const BAND_COLORS = { surface: '#56B4E9', delaunay: '#F0C75E', witness: '#CC79A7' } as const;
 const INK = '#1d2530';
 const GRAY = '#6b7480';
@@ -64,7 +65,7 @@ export function diagramSvg(
     if (path) parts.push(`<path d="${path}" fill="none" ${stroke}/>`);
   });
   layout.series.forEach((_, k) => {
-    const x = left + k * 140;
+    const x = left + LEGEND_STEPS.slice(0, k).reduce((sum, step) => sum + step, 0);
     const y = layout.height + 12;
     parts.push(`<path d="M${x} ${y}h22" stroke="${BETTI_COLORS[k] ?? INK}" stroke-width="3"/>`);
     parts.push(text(x + 29, y + 4, 'start', BETTI_NAMES[k] ?? `β${k}`, `fill="${INK}"`));
