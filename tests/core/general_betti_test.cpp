@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "base/random.h"
 #include "cloud/samples.h"
 #include "homology/echelon.h"
@@ -77,6 +79,10 @@ struct Followed {
     std::uint32_t field;
     Step every;
 };
+
+void PrintTo(const Followed& followed, std::ostream* out) {
+    *out << followed.name;
+}
 
 class GeneralBettiReference : public testing::TestWithParam<Followed> {};
 
