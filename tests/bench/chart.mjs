@@ -28,7 +28,7 @@ const bytes = [
   [1e4, '10 GB'],
   [1e5, '100 GB'],
 ];
-const ratios = [0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000].map((each) => [
+const ratios = [0.5, 1, 2, 3, 5, 10, 20, 30, 50, 100, 200, 500, 1000, 2000, 5000].map((each) => [
   each,
   String(each),
 ]);
@@ -40,7 +40,7 @@ const points = [
 ];
 
 const WIDTH = 960;
-const HEIGHT = 400;
+const HEIGHT = 416;
 const panel = { width: 232, height: 250, top: 78, gap: 82, left: 66 };
 
 const style = `
@@ -137,6 +137,11 @@ function legend() {
     .join('\n');
 }
 
+function caption(lines) {
+  const small = ' class="soft" style="font-size: 11px"';
+  return lines.map((line, i) => text(panel.left - 46, HEIGHT - 24 + 15 * i, line, small)).join('\n');
+}
+
 export function growthChart({ machine, rows }) {
   const base = (n) => rowOf(rows, 'native', 'torus', n, BASE)?.seconds;
   const panels = [
@@ -151,7 +156,7 @@ export function growthChart({ machine, rows }) {
 </style>
 ${legend()}
 ${panels.map((each, index) => drawPanel(index, each, rows)).join('\n')}
-${text(panel.left - 46, HEIGHT - 10, `Torus, all points inserted, Betti numbers at every step. ${machine}`, ' class="soft" style="font-size: 11px"')}
+${caption(['Torus, all points inserted, Betti numbers at every step. Logarithmic axes.', machine])}
 </svg>
 `;
 }

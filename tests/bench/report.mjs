@@ -17,23 +17,34 @@ function table(head, rows) {
   return [line(head), line(widths.map((width) => '-'.repeat(width))), ...rows.map(line)].join('\n');
 }
 
-/** Judges measured values against what they should reach, and collects what misses. */
+/** Judges measured values against what they should reach, and collects what misses by its reason. */
 class Verdicts {
-  misses = [];
+  misses = new Map();
 
-  /** "1.3 of 1.8 ✓" in words: reach, then, and whether. `most`: small is good. */
-  of(name, value, { reach, then, why }, { most = true, show = three } = {}) {
-    const sign = most ? '≤' : '≥';
-    const asked = `${sign} ${show(reach)}${then === undefined ? '' : `, then ${show(then)}`}`;
+  /** What is asked and whether it is reached. `most`: small is good; `remark`: why there is no value. */
+  of(name, value, { reach, then, why }, { most = true, show = three, remark = '' } = {}) {
+    const limit = `${most ? '≤' : '≥'} ${show(reach)}`;
+    const asked = then === undefined ? limit : `${limit}, then ${show(then)}`;
     if (!isNumber(value)) {
-      this.misses.push(`${name}: not measured (asked: ${asked}).`);
+      this.miss('Not measured:', `${name}, ${limit}${remark && ` (${remark})`}`);
       return [asked, 'not measured'];
     }
-    const good = (limit) => limit !== undefined && (most ? value <= limit : value >= limit);
+    const good = (bound) => bound !== undefined && (most ? value <= bound : value >= bound);
     if (good(then)) return [asked, 'yes, both'];
     if (good(reach)) return [asked, 'yes'];
-    this.misses.push(`${name}: ${show(value)} instead of ${sign} ${show(reach)}. ${why}`);
+    this.miss(why, `${name}: ${show(value)} instead of ${limit}`);
     return [asked, '**no**'];
+  }
+
+  miss(why, line) {
+    this.misses.set(why, [...(this.misses.get(why) ?? []), line]);
+  }
+
+  text() {
+    if (this.misses.size === 0) return 'Nothing.';
+    return [...this.misses]
+      .map(([why, lines]) => [why, '', ...lines.map((line) => `- ${line}`)].join('\n'))
+      .join('\n\n');
   }
 }
 
@@ -48,7 +59,7 @@ function targetCells(verdicts, row, overBase) {
       s: [row.seconds, time],
       MB: [row.megabytes, size],
     }[target.unit];
-    return verdicts.of(name, value, target, { show });
+    return verdicts.of(name, value, target, { show, remark: row.remark });
   });
   return [cells.map(([asked]) => asked).join('; '), cells.map(([, met]) => met).join('; ')];
 }
@@ -83,9 +94,9 @@ function growthTable(rows, verdicts) {
       const [few, many] = [10_000, 100_000].map((points) => rowOf(rows, 'native', cloud, points, what));
       if (!few || !many) continue;
       const [before, after] = [overBaseOf(rows, few), overBaseOf(rows, many)];
-      const [asked, met] = verdicts.of(`${cloud} ${what}, growth of (whole run)/T_D`, after / before, {
-        reach: growthReach.ratio,
-        why: growthReach.why,
+      const name = `${cloud} ${what}, growth of (whole run)/T_D`;
+      const [asked, met] = verdicts.of(name, after / before, growthReach(what), {
+        remark: few.remark || many.remark,
       });
       const cell = (value) => (isNumber(value) ? three(value) : '');
       body.push([`${cloud} ${what}`, cell(before), cell(after), cell(after / before), asked, met]);
@@ -101,10 +112,8 @@ function memoryTable(rows, verdicts) {
     const fewer = rowOf(rows, 'native', row.cloud, 100_000, row.what);
     if (!fewer) continue;
     const factor = row.megabytes / fewer.megabytes;
-    const [asked, met] = verdicts.of(`${row.cloud} ${row.what}, memory for ten times the points`, factor, {
-      reach: memoryReach.factor,
-      why: memoryReach.why,
-    });
+    const name = `${row.cloud} ${row.what}, memory for ten times the points`;
+    const [asked, met] = verdicts.of(name, factor, memoryReach, { remark: row.remark || fewer.remark });
     const cell = (value, show) => (isNumber(value) ? show(value) : '');
     const [before, after] = [fewer.megabytes, row.megabytes].map((each) => cell(each, size));
     body.push([`${row.cloud} ${row.what}`, before, after, cell(factor, three), asked, met]);
@@ -126,7 +135,7 @@ function moduleTable(rows, verdicts) {
         isNumber(row.seconds) ? time(row.seconds) : row.remark,
         isNumber(ratio) ? three(ratio) : '',
         isNumber(row.megabytes) ? size(row.megabytes) : '',
-        ...verdicts.of(name, ratio, moduleReach),
+        ...verdicts.of(name, ratio, moduleReach, { remark: row.remark || native.remark }),
       ];
     });
   return table(
@@ -142,17 +151,18 @@ function rebuildTable(rows, verdicts) {
       const ours = rowOf(rows, 'beside rebuild', row.cloud, row.points, row.what);
       const times = row.seconds / ours?.seconds;
       const name = `rebuild, ${row.cloud} ${row.what}`;
+      const show = (value) => `${three(value)} ×`;
       // The target is one for 10,000 points; with fewer there is less to win.
       const judged =
         row.points === 10_000
-          ? verdicts.of(name, times, rebuildReach, { most: false, show: (value) => `${three(value)} ×` })
+          ? verdicts.of(name, times, rebuildReach, { most: false, show, remark: row.remark })
           : ['', ''];
       return [
         `${row.cloud} ${row.what}`,
         count(row.points),
         isNumber(row.seconds) ? time(row.seconds) : row.remark,
         ours ? time(ours.seconds) : '',
-        isNumber(times) ? `${three(times)} ×` : '',
+        isNumber(times) ? show(times) : '',
         ours ? row.remark : '',
         ...judged,
       ];
@@ -173,11 +183,10 @@ export function report({ machine, rows }) {
     ['The module under Node.js against native', moduleTable(rows, verdicts)],
     ['Against a rebuild with GUDHI at every step', rebuildTable(rows, verdicts)],
   ].filter(([, text]) => text !== '');
-  const missed = verdicts.misses.map((line) => `- ${line}`).join('\n') || 'Nothing.';
   return [
     `Machine: ${machine}.`,
     ...sections.map(([title, text]) => `### ${title}\n\n${text}`),
-    `### What misses its reach, and why\n\n${missed}`,
+    `### What misses its reach, and why\n\n${verdicts.text()}`,
   ].join('\n\n');
 }
 
