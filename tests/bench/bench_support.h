@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <functional>
 #include <optional>
@@ -59,10 +60,18 @@ inline Session whole_run(const PointCloud& cloud, Family family) {
     return session;
 }
 
-inline double seconds_of(const std::function<void()>& work) {
+struct Spent {
+    double seconds;
+    double processor_share;  ///< of these, how many the process had a processor: below 1 on a busy machine
+};
+
+inline Spent spent_on(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
+    const std::clock_t processor = std::clock();
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double busy = static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {seconds, busy / seconds};
 }
 
 /// The largest resident size of this process so far, in MB (10^6 bytes); 0 where the system does not tell. Not

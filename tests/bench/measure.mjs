@@ -8,6 +8,15 @@ const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1]
 const sum = (values) => values.reduce((total, value) => total + value, 0);
 const moduleScript = fileURLToPath(new URL('module.mjs', import.meta.url));
 
+const notMeasured = (row, remark) => ({
+  ...row,
+  seconds: undefined,
+  megabytes: undefined,
+  rounds: 0,
+  share: undefined,
+  remark,
+});
+
 /** `programs`: the folder of the native benchmarks; a row that takes longer than `patience` seconds is given up. */
 export class Measurer {
   constructor(programs, patience, say) {
@@ -30,7 +39,7 @@ export class Measurer {
   async inTurn(group) {
     const [{ cloud, points }] = group;
     this.say(`${cloud}, ${points} points`);
-    const found = group.map((row) => ({ row, times: [], peaks: [], remark: '' }));
+    const found = group.map((row) => ({ row, times: [], peaks: [], shares: [], remark: '' }));
     for (let round = 0; round < mostRounds(points); ++round) {
       for (const entry of found) {
         if (entry.remark !== '' || sum(entry.times) > ENOUGH_SECONDS) continue;
@@ -39,23 +48,30 @@ export class Measurer {
         else {
           entry.times.push(answer.seconds);
           entry.peaks.push(answer.megabytes);
+          entry.shares.push(answer.share);
         }
       }
     }
-    return found.map(({ row, times, peaks, remark }) =>
+    return found.map(({ row, times, peaks, shares, remark }) =>
       remark === ''
-        ? { ...row, seconds: median(times), megabytes: Math.max(...peaks), rounds: times.length, remark }
-        : { ...row, seconds: undefined, megabytes: undefined, rounds: 0, remark },
+        ? {
+            ...row,
+            seconds: median(times),
+            megabytes: Math.max(...peaks),
+            rounds: times.length,
+            share: Math.min(...shares),
+            remark,
+          }
+        : notMeasured(row, remark),
     );
   }
 
   async rebuild(row, intervals) {
     this.say(`rebuild with GUDHI at sampled steps: ${row.what}`);
     const answer = await this.once(row, [String(intervals)]);
-    if (typeof answer === 'string')
-      return [{ ...row, seconds: undefined, megabytes: undefined, rounds: 0, remark: answer }];
+    if (typeof answer === 'string') return [notMeasured(row, answer)];
     this.say(`  Betti numbers equal at steps ${answer.equalBettiAt.join(', ')}`);
-    const common = { ...row, megabytes: undefined, rounds: 1 };
+    const common = { ...row, megabytes: undefined, rounds: 1, share: undefined };
     return [
       { ...common, seconds: answer.rebuildSeconds, remark: `equal at ${answer.equalBettiAt.length} steps` },
       { ...common, runner: 'beside rebuild', seconds: answer.seconds, remark: '' },

@@ -166,7 +166,7 @@ double integrated(const std::vector<Sample>& samples) {
 int measure(const std::string& name, std::uint32_t size, Family family, std::uint32_t intervals) {
     const PointCloud cloud = make_cloud(name, size);
     std::optional<Session> session;
-    const double ours = seconds_of([&] { session.emplace(whole_run(cloud, family)); });
+    const double ours = spent_on([&] { session.emplace(whole_run(cloud, family)); }).seconds;
     const Timeline& timeline = session->timeline();
 
     std::vector<Sample> samples;
@@ -175,7 +175,7 @@ int measure(const std::string& name, std::uint32_t size, Family family, std::uin
         const auto step = static_cast<Step>(1 + last * k / intervals);
         const Landmarks landmarks{&cloud, {timeline.landmarks.data(), step}};
         std::vector<std::uint32_t> betti;
-        const double seconds = seconds_of([&] {
+        const Spent spent = spent_on([&] {
             Tree tree;
             family == Family::Witness ? build_witness(landmarks, tree) : build_delaunay(landmarks, tree);
             betti = betti_by_gudhi(tree);
@@ -186,7 +186,7 @@ int measure(const std::string& name, std::uint32_t size, Family family, std::uin
                          betti[1], betti[2], expected[0], expected[1], expected[2]);
             return 1;
         }
-        samples.push_back({step, seconds});
+        samples.push_back({step, spent.seconds});
     }
     std::printf("{\"seconds\": %.6f, \"rebuildSeconds\": %.3f, \"equalBettiAt\": [", ours, integrated(samples));
     for (const Sample& sample : samples) std::printf("%s%u", &sample == samples.data() ? "" : ", ", sample.step);

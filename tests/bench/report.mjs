@@ -173,6 +173,15 @@ function rebuildTable(rows, verdicts) {
   );
 }
 
+/** Says of a busy machine that it was one. */
+function quietness(rows) {
+  const shares = rows.map(({ share }) => share).filter(isNumber);
+  const least = Math.round(100 * Math.min(1, ...shares));
+  return least >= 95
+    ? `Each row had a processor for itself, at least ${least} % of the time.`
+    : `**The machine was busy:** a row had a processor only ${least} % of its time, so times and ratios are rough.`;
+}
+
 /** Everything between the markers of docs/speed.md; the same text is printed. */
 export function report({ machine, rows }) {
   const verdicts = new Verdicts();
@@ -184,7 +193,7 @@ export function report({ machine, rows }) {
     ['Against a rebuild with GUDHI at every step', rebuildTable(rows, verdicts)],
   ].filter(([, text]) => text !== '');
   return [
-    `Machine: ${machine}.`,
+    `Machine: ${machine}. ${quietness(rows)}`,
     ...sections.map(([title, text]) => `### ${title}\n\n${text}`),
     `### What misses its reach, and why\n\n${verdicts.text()}`,
   ].join('\n\n');

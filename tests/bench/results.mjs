@@ -1,8 +1,8 @@
 // The results as a file: a line about the machine, then one row a measurement.
 import { cpus, totalmem } from 'node:os';
 
-const columns = ['runner', 'cloud', 'points', 'what', 'seconds', 'megabytes', 'rounds', 'remark'];
-const numeric = new Set(['points', 'seconds', 'megabytes', 'rounds']);
+const columns = ['runner', 'cloud', 'points', 'what', 'seconds', 'megabytes', 'rounds', 'share', 'remark'];
+const numeric = new Set(['points', 'seconds', 'megabytes', 'rounds', 'share']);
 
 export function machineLine(compiler) {
   const [{ model }] = cpus();

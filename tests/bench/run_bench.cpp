@@ -1,7 +1,7 @@
 // One measurement a process, so that its peak memory is its own: seconds of a whole run, of a part of it, or of T_D,
 // CGAL alone inserting the same landmarks in the same order with the same hints. Nothing asserts a time.
 //
-//   run_bench CLOUD N WHAT       one line: {"seconds": ..., "megabytes": ...}
+//   run_bench CLOUD N WHAT       one line: {"seconds": ..., "megabytes": ..., "share": of a processor}
 //   run_bench --write CLOUD N    the cloud as text on standard output, for the module
 //
 // CLOUD: a sample shape or `cube`. WHAT: a family (its whole run), `T_D`, or a part: `lists`, `lists+D`,
@@ -94,8 +94,8 @@ int main_with(const std::vector<std::string>& words) {
         std::fprintf(stderr, "There is nothing named %s to measure.\n", words[2].c_str());
         return 2;
     }
-    const double seconds = seconds_of(work);
-    std::printf("{\"seconds\": %.6f, \"megabytes\": %.1f}\n", seconds, peak_megabytes());
+    const auto [seconds, share] = spent_on(work);
+    std::printf("{\"seconds\": %.6f, \"megabytes\": %.1f, \"share\": %.2f}\n", seconds, peak_megabytes(), share);
     return 0;
 }
 

@@ -19,10 +19,11 @@ function madeUp(factor) {
       seconds: (row.points / 1e6) * (row.what === 'T_D' ? 1 : factor),
       megabytes: row.points / 1000,
       rounds: 3,
+      share: 0.99,
       remark: '',
     }));
   for (const row of rebuildsOf(sizes)) {
-    const common = { ...row, megabytes: undefined, rounds: 1, remark: '' };
+    const common = { ...row, megabytes: undefined, rounds: 1, share: undefined, remark: '' };
     rows.push({ ...common, seconds: 4_000 }, { ...common, runner: 'beside rebuild', seconds: factor });
   }
   return { machine: 'a machine', rows };
@@ -61,6 +62,13 @@ test('a miss is named with its number, its limit and its reason, a row without a
   assert.match(text, /^- torus witness, 1,000,000 points, ≤ 60 s \(over 900 s\)$/m);
   // The cube has more room.
   assert.doesNotMatch(text, /cube delaunay.* instead/);
+});
+
+test('a busy machine is called one', () => {
+  const results = madeUp(1.25);
+  assert.match(report(results), /at least 99 % of the time/);
+  results.rows[7].share = 0.51;
+  assert.match(report(results), /The machine was busy:.* only 51 %/);
 });
 
 test('growth is told where both sizes were measured', () => {
