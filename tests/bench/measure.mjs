@@ -2,6 +2,7 @@
 import { execFile } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
+import { Failure } from '../../scripts/lib/run.mjs';
 import { ENOUGH_SECONDS, groupsOf, mostRounds, rebuildsOf } from './plan.mjs';
 
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
@@ -105,7 +106,7 @@ export class Measurer {
     } catch (error) {
       this.last.set(key, { points: row.points, seconds: Infinity });
       // A wrong number is no matter of speed.
-      if (row.runner === 'rebuild' && error.code === 1) throw new Error(error.stderr, { cause: error });
+      if (row.runner === 'rebuild' && error.code === 1) throw new Failure(error.stderr.trim());
       if (error.killed) return `over ${this.patience} s`;
       return `failed: ${(error.stderr ?? error.message).trim().split('\n').at(-1) || error.signal}`;
     }

@@ -176,6 +176,7 @@ function rebuildTable(rows, verdicts) {
 /** Says of a busy machine that it was one. */
 function quietness(rows) {
   const shares = rows.map(({ share }) => share).filter(isNumber);
+  if (shares.length === 0) return 'How much of a processor the rows had was not counted.';
   const least = Math.round(100 * Math.min(1, ...shares));
   return least >= 95
     ? `Each row had a processor for itself, at least ${least} % of the time.`

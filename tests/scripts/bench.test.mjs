@@ -69,6 +69,8 @@ test('a busy machine is called one', () => {
   assert.match(report(results), /at least 99 % of the time/);
   results.rows[7].share = 0.51;
   assert.match(report(results), /The machine was busy:.* only 51 %/);
+  for (const row of results.rows) row.share = undefined;
+  assert.match(report(results), /was not counted/);
 });
 
 test('growth is told where both sizes were measured', () => {

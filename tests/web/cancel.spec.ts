@@ -105,25 +105,29 @@ async function workerSeen(page: Page): Promise<WorkerSeen> {
   return worker.evaluate(() => self.workerSeen);
 }
 
+const ms = (value: number): string => `${Math.round(value)} ms`;
+
 interface Examined {
   longestWait: number;
   /** Slices that went before one request, at most. */
   mostBefore: number;
   longestSlice: number;
   slices: number;
+  /** What took long, in words: every wait and slice over 100 ms with its kind and when it began. */
+  slow: string;
 }
 
 /** Asserts what bounds every wait of this page's requests, and tells the longest that the page waited. */
 async function examine(page: Page): Promise<Examined> {
   const { requests } = await pageSeen(page);
   const { slices, handled } = await workerSeen(page);
-  const waits: { ms: number; slices: number }[] = [];
+  const waits: { what: string; at: number; took: number; slices: number }[] = [];
   for (const { requestId, kind, posted, answered } of requests) {
     const reached = handled[requestId];
     // `open` is answered by a later slice; the very first waits for the module.
     if (kind === 'open' || answered === undefined || reached === undefined) continue;
     const between = slices.filter(({ begin }) => begin > posted && begin < reached).length;
-    waits.push({ ms: answered - posted, slices: between });
+    waits.push({ what: kind, at: posted, took: answered - posted, slices: between });
   }
   // The slice that was due already goes first. More go where the page's thread was held up while it posted, which a
   // busy machine does now and then: hence the median.
@@ -132,15 +136,20 @@ async function examine(page: Page): Promise<Examined> {
   expect(slices.length).toBeGreaterThan(10);
   // The budget is seen to be spent by the loop over steps, and before it where the tree or the noise is in parts.
   for (const { late } of slices) expect(late, 'steps after the budget was spent').toBeLessThanOrEqual(2);
+  const begin = Math.min(...requests.map(({ posted }) => posted));
+  const slow = [
+    ...waits,
+    ...slices.map((slice) => ({ what: 'slice', at: slice.begin, took: slice.duration })),
+  ].filter(({ took }) => took > 100);
   return {
-    longestWait: Math.max(...waits.map((wait) => wait.ms)),
+    longestWait: Math.max(...waits.map((wait) => wait.took)),
     mostBefore: Math.max(...byCount),
     longestSlice: Math.max(...slices.map(({ duration }) => duration)),
     slices: slices.length,
+    slow:
+      slow.map(({ what, at, took }) => `${what} ${ms(took)} at ${ms(at - begin)}`).join(', ') || 'nothing',
   };
 }
-
-const ms = (value: number): string => `${Math.round(value)} ms`;
 
 for (const share of [0, 0.1, 0.4, 0.75]) {
   test(`a run is left for another cloud after ${100 * share} % of it`, async ({ page }) => {
@@ -178,11 +187,11 @@ test('a run goes to its end, and all along it could have been left', async ({ pa
     timeout: FULL ? 2_400_000 : 120_000,
   });
   expect(await state(page, 'steps')).toBe(String(SIZE));
-  const { longestWait, mostBefore, longestSlice, slices } = await examine(page);
+  const { longestWait, mostBefore, longestSlice, slices, slow } = await examine(page);
   const { requests } = await pageSeen(page);
   expect(requests.filter(({ kind }) => kind === 'fetchDelta').length).toBeGreaterThan(5);
   console.log(
     `${SIZE} points to the end: ${slices} slices, the longest ${ms(longestSlice)}; ${requests.length} requests, ` +
-      `the longest wait ${ms(longestWait)}, at most ${mostBefore} slices before one`,
+      `the longest wait ${ms(longestWait)}, at most ${mostBefore} slices before one; over 100 ms: ${slow}`,
   );
 });
