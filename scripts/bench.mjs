@@ -1,7 +1,7 @@
 // Builds and runs the benchmarks of tests/bench and prints their tables. Nothing here asserts a time.
 // node scripts/bench.mjs [--full] [--sizes 1000,10000] [--patience SECONDS] [--write] [--draw]
 //   --full      100,000 and 1,000,000 points as well
-//   --patience  a row that takes longer is given up, and said so (default 30, with --full 900)
+//   --patience  a row that takes longer is given up, and said so (default 20, with --full 900)
 //   --write     put the results into docs: growth.csv, growth.svg, the tables of speed.md
 //   --draw      measure nothing, draw and write the docs from docs/growth.csv again
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -46,7 +46,7 @@ async function measured({ full, sizes, patience }) {
   if (!isCurrent('wasm')) await buildWasm();
   const all =
     sizes?.split(',').map((word) => wholeNumber(word, '--sizes')) ?? (full ? fullSizes : smallSizes);
-  const limit = patience === undefined ? (full ? 900 : 30) : wholeNumber(patience, '--patience');
+  const limit = patience === undefined ? (full ? 900 : 20) : wholeNumber(patience, '--patience');
   const measurer = new Measurer(join(nativeFolder, 'bin'), limit, (line) => console.log(line));
   const machine = machineLine(`g++ ${capture('g++', ['-dumpfullversion']).out.trim()}`);
   return { machine, rows: await measurer.all(all) };

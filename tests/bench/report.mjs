@@ -41,7 +41,7 @@ class Verdicts {
   }
 
   text() {
-    if (this.misses.size === 0) return 'Nothing.';
+    if (this.misses.size === 0) return 'Nothing of what was measured.';
     return [...this.misses]
       .map(([why, lines]) => [why, '', ...lines.map((line) => `- ${line}`)].join('\n'))
       .join('\n\n');
