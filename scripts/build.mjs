@@ -37,8 +37,9 @@ async function cmake(folder, settings, { configure = ['cmake'], targets = [] } =
 export const nativeFolder = join(root, 'build', 'native');
 export const wasmFolder = join(root, 'build', 'wasm');
 
-export async function buildNative() {
-  await cmake(nativeFolder, []);
+/** `targets`: not all, but these. */
+export async function buildNative({ targets = [] } = {}) {
+  await cmake(nativeFolder, [], { targets });
 }
 
 export const sanitizedFolder = join(root, 'build', 'sanitized');

@@ -10,7 +10,6 @@ namespace plateau {
 namespace {
 
 constexpr std::uint32_t kNone = DelaunayLink::kNone;
-constexpr std::uint32_t kEnd = 0xFFFFFFFFu;  // of an encoded list
 
 // Calls use(tuple) for every ascending k-subset of the ascending `from`.
 template <class Use>
@@ -320,10 +319,7 @@ void NuComplex::kill(int track, int k, SimplexIndex simplex, Tables& tables) {
     watches_.forget(track, k, simplex);
     deaths_.push_back({static_cast<std::uint8_t>(track), static_cast<std::uint8_t>(k), simplex});
     if (k == max_dimension()) return;
-    const Book& cofaces = books_[static_cast<std::size_t>(k)];
-    const auto links_per_simplex = static_cast<std::uint32_t>(k + 2);
-    std::uint32_t link = books_[static_cast<std::size_t>(k - 1)].first_coface[simplex];
-    for (; link != kEnd; link = cofaces.next_coface[link]) kill(track, k + 1, link / links_per_simplex, tables);
+    for_each_coface(k, simplex, [&](SimplexIndex coface) { kill(track, k + 1, coface, tables); });
 }
 
 std::uint64_t NuComplex::memory() const {

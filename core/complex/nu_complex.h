@@ -43,6 +43,15 @@ public:
         const auto width = static_cast<std::size_t>(k + 1);
         return {books_[static_cast<std::size_t>(k - 1)].facets.data() + simplex * width, width};
     }
+    /// Calls use(coface) for every recorded simplex of dimension k+1 that has this one, of dimension k >= 1, as a
+    /// facet, also where it is dead.
+    template <class Use>
+    void for_each_coface(int k, SimplexIndex simplex, const Use& use) const {
+        const auto links_per_simplex = static_cast<std::uint32_t>(k + 2);
+        std::uint32_t link = books_[static_cast<std::size_t>(k - 1)].first_coface[simplex];
+        for (; link != kEnd; link = books_[static_cast<std::size_t>(k)].next_coface[link])
+            use(link / links_per_simplex);
+    }
     int max_dimension() const { return static_cast<int>(books_.size()); }
     int track_count() const { return static_cast<int>(nu_.size()); }
     /// Bytes held.
@@ -50,10 +59,11 @@ public:
 
 private:
     using FirstWitness = DelaunayLink::FirstWitness;
-    struct Book {                                 // one a dimension
-        std::vector<SimplexIndex> facets;         // k+1 a simplex, from dimension 2
-        std::vector<std::uint32_t> first_coface;  // encoded links into the book of dimension k+1
-        std::vector<std::uint32_t> next_coface;   // one a facet link
+    static constexpr std::uint32_t kEnd = 0xFFFFFFFFu;  // of an encoded list
+    struct Book {                                       // one a dimension
+        std::vector<SimplexIndex> facets;               // k+1 a simplex, from dimension 2
+        std::vector<std::uint32_t> first_coface;        // encoded links into the book of dimension k+1
+        std::vector<std::uint32_t> next_coface;         // one a facet link
     };
     struct Tables {
         Step step;

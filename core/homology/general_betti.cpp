@@ -1,39 +1,45 @@
 #include "homology/general_betti.h"
 
-// GUDHI 3.7 prints without including this.
-#include <iostream>
-
-#include <gudhi/Persistent_cohomology.h>
-#include <gudhi/Simplex_tree.h>
-
 namespace plateau {
 
-std::vector<std::uint32_t> general_betti(const std::vector<SimplexTable>& tables, int track, Step step,
-                                         std::uint32_t count, std::uint32_t prime) {
-    Gudhi::Simplex_tree<Gudhi::Simplex_tree_options_fast_persistence> tree;
-    // The tree wants vertices 0, 1, ... without a gap: step - 1.
-    for (Step vertex = 0; vertex < step; ++vertex) tree.insert_simplex({static_cast<int>(vertex)});
-    std::vector<int> vertices;
-    for (const SimplexTable& table : tables) {
-        for (SimplexIndex simplex = 0; simplex < table.first_of_step[step + 1]; ++simplex) {
-            if (!table.lives(simplex, track, step)) continue;
-            const auto tuple = table.tuple(simplex);
-            vertices.clear();
-            for (const Step vertex : tuple) vertices.push_back(static_cast<int>(vertex) - 1);
-            tree.insert_simplex(vertices);
+GeneralBetti::GeneralBetti(int count, std::uint32_t prime)
+    : skeleton_(0), simplices_(static_cast<std::size_t>(count) + 1, 0) {
+    for (int k = 2; k <= count; ++k) cycles_.emplace_back(k, prime);
+}
+
+void GeneralBetti::update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex) {
+    ++simplices_[0];  // the landmark
+    for (const Death& death : complex.deaths()) {
+        if (death.track == 0) --simplices_[death.dimension];
+    }
+    for (std::size_t k = 1; k < simplices_.size(); ++k) {
+        const SimplexTable& table = tables[k - 1];
+        for (SimplexIndex simplex = table.first_of_step[step]; simplex < table.size(); ++simplex) {
+            if (table.death[0][simplex] == kNever) ++simplices_[k];
         }
     }
-    using Cohomology =
-        Gudhi::persistent_cohomology::Persistent_cohomology<decltype(tree), Gudhi::persistent_cohomology::Field_Zp>;
-    constexpr bool kTopDimensionToo = true;
-    Cohomology cohomology(tree, kTopDimensionToo);
-    cohomology.init_coefficients(static_cast<int>(prime));
-    cohomology.compute_persistent_cohomology();
+    skeleton_.update(step, tables.front(), complex.deaths());
+    for (CycleSpace& cycles : cycles_) cycles.update(step, tables, complex);
+}
 
-    std::vector<std::uint32_t> betti(count, 0);
-    const auto all = cohomology.betti_numbers();
-    for (std::size_t k = 0; k < betti.size() && k < all.size(); ++k) betti[k] = static_cast<std::uint32_t>(all[k]);
-    return betti;
+std::vector<std::uint32_t> GeneralBetti::numbers() const {
+    const std::size_t count = simplices_.size() - 1;
+    std::vector<std::uint32_t> numbers;
+    std::uint32_t boundaries_below = 0;  // dim B_(k-1)
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint32_t cycles = simplices_[k] - boundaries_below;
+        const std::uint32_t boundaries =
+            k == 0 ? simplices_[0] - skeleton_.count() : simplices_[k + 1] - cycles_[k - 1].dimension();
+        numbers.push_back(cycles - boundaries);
+        boundaries_below = boundaries;
+    }
+    return numbers;
+}
+
+std::uint64_t GeneralBetti::memory() const {
+    std::uint64_t bytes = skeleton_.memory();
+    for (const CycleSpace& cycles : cycles_) bytes += cycles.memory();
+    return bytes;
 }
 
 }  // namespace plateau

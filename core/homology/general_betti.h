@@ -3,14 +3,31 @@
 #include <cstdint>
 #include <vector>
 
+#include "complex/nu_complex.h"
 #include "complex/simplex_table.h"
+#include "homology/cycle_space.h"
+#include "homology/skeleton_components.h"
 
 namespace plateau {
 
-/// Betti numbers beta_0 .. beta_{count-1} over Z/prime of the simplices of a track that live at the step, by cohomology
-/// of the whole complex: for complexes that are not embedded. `tables` up to dimension `count`. Cost: a reduction of
-/// all living simplices.
-std::vector<std::uint32_t> general_betti(const std::vector<SimplexTable>& tables, int track, Step step,
-                                         std::uint32_t count, std::uint32_t prime);
+/// Betti numbers over Z/p of track 0 of a complex that need not be embedded, at every step, from the numbers of its
+/// simplices and of its cycles: beta_k = dim Z_k - dim B_k, where dim B_k = (number of (k+1)-simplices) - dim Z_(k+1).
+/// Z_0 holds all landmarks, and dim B_0 = landmarks - components.
+class GeneralBetti {
+public:
+    /// beta_0 .. beta_{count-1}, of simplices up to dimension `count`; `prime` at most 46337.
+    GeneralBetti(int count, std::uint32_t prime);
+
+    /// Follows one insertion, after the complex has followed it.
+    void update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex);
+
+    std::vector<std::uint32_t> numbers() const;
+    std::uint64_t memory() const;
+
+private:
+    SkeletonComponents skeleton_;
+    std::vector<std::uint32_t> simplices_;  // that live, by dimension, from 0
+    std::vector<CycleSpace> cycles_;        // of dimension 2, 3, ...
+};
 
 }  // namespace plateau

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "homology/general_betti.h"
-
 namespace plateau {
 
 namespace {
@@ -41,6 +39,7 @@ Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
         surface_.emplace(options.rho);
         surface_betti_.emplace();
     }
+    if (options.family == Family::Witness) general_.emplace(static_cast<int>(timeline_.dimension), options.field);
     if (options.family == Family::Delaunay) embedded_.emplace(0);
     if (options.family == Family::Auto) embedded_.emplace(1);
 }
@@ -75,7 +74,8 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
     }
     if (embedded_)
         embedded_->update(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, complex_.faces());
-    record_numbers(step);
+    if (general_) general_->update(step, timeline_.simplices, complex_);
+    record_numbers();
     timeline_.step_count = step;
     return std::nullopt;
 }
@@ -86,12 +86,12 @@ void Engine::record_deaths() {
     timeline_.first_death_of_step.push_back(timeline_.deaths.size());
 }
 
-void Engine::record_numbers(Step step) {
+void Engine::record_numbers() {
     const std::uint32_t d = timeline_.dimension;
     const bool shows_surface =
         options_.family == Family::Surface || (surface_betti_ && surface_betti_->numbers().front() > 0);
-    if (options_.family == Family::Witness) {
-        const auto numbers = general_betti(timeline_.simplices, 0, step, d, options_.field);
+    if (general_) {
+        const auto numbers = general_->numbers();
         timeline_.betti.insert(timeline_.betti.end(), numbers.begin(), numbers.end());
     } else {
         const auto numbers = shows_surface ? surface_betti_->numbers() : embedded_->numbers();
@@ -150,6 +150,7 @@ std::uint64_t Engine::memory() const {
     bytes += timeline_.deaths.capacity() * sizeof(Death) + timeline_.surface.capacity() * sizeof(SurfaceRow);
     if (surface_) bytes += surface_->memory() + surface_betti_->memory();
     if (embedded_) bytes += embedded_->memory();
+    if (general_) bytes += general_->memory();
     return bytes;
 }
 

@@ -11,6 +11,7 @@
 #include "complex/nu_complex.h"
 #include "delaunay/delaunay.h"
 #include "homology/embedded_betti.h"
+#include "homology/general_betti.h"
 #include "homology/surface_betti.h"
 #include "landmarks/landmark_lists.h"
 #include "metrics/metric.h"
@@ -54,7 +55,7 @@ public:
 
 private:
     void record_deaths();
-    void record_numbers(Step step);
+    void record_numbers();
     void extend_hash(Step step);
 
     const PointCloud* cloud_;
@@ -66,6 +67,7 @@ private:
     std::optional<SurfaceTracker> surface_;
     std::optional<EmbeddedBetti> embedded_;
     std::optional<SurfaceBetti> surface_betti_;
+    std::optional<GeneralBetti> general_;
     Step hashed_ = 0;  // steps in the hash
     Fnv1a64 hash_;
 };

@@ -170,7 +170,7 @@ struct MemoryShares {
 };
 
 MemoryShares shares_of(std::uint32_t dimension, Family family) {
-    if (family == Family::Witness) return {350, 18, 2900};
+    if (family == Family::Witness) return {440, 8, 900};
     if (dimension == 2) return {300, 13, 1300};
     if (family == Family::Delaunay) return {410, 26, 6700};
     return {410, 26, 9000};

@@ -13,7 +13,6 @@ const bundled = [
   { name: 'three.js', folder: join(root, 'node_modules', 'three') },
   { name: 'CGAL', folder: '/usr/share/doc/libcgal-dev' },
   { name: 'Boost', folder: /^libboost\d[\d.]*-dev$/ },
-  { name: 'GUDHI', folder: '/usr/share/doc/libgudhi-dev' },
   { name: 'Eigen', folder: '/usr/share/doc/libeigen3-dev' },
   { name: 'Emscripten runtime and C++ library', folder: emscripten },
 ];

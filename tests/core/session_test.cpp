@@ -88,7 +88,7 @@ TEST(Session, GoesAsFarAsTheMemoryReaches) {
 
 TEST(Session, EstimatesTheMemoryThatItHolds) {
     for (const std::uint32_t size : {5000u, 20000u}) {
-        for (const Family family : {Family::Auto, Family::Delaunay}) {
+        for (const Family family : {Family::Auto, Family::Delaunay, Family::Witness}) {
             auto session = open(shape("torus", size), [&](RunOptions& o) { o.family = family; }).value();
             for (std::uint32_t steps = 500; steps <= 4000; steps *= 2) {
                 const Progress progress = session.run({.steps = steps - session.progress().steps_done});
