@@ -58,6 +58,7 @@ export class DimensionTools {
     if (!frame) return;
     const rows = rowsOf(frame.axes, this.choice, this.angle);
     this.shape?.project(rows);
+    byId('plateau', HTMLElement).dataset['turned'] = String(this.angle);
     this.selects.forEach((select, i) => (select.value = String(this.choice[i])));
     const words =
       frame.shares.length === 0
