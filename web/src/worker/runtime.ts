@@ -1,7 +1,7 @@
 import type { PlateauModule } from 'plateau-module';
 import { CoreFailure, CoreSession } from './core-session.ts';
 import { frameOf } from './frame.ts';
-import type { WorkerEvent, WorkerRequest } from './protocol.ts';
+import type { OpenedRun, WorkerEvent, WorkerRequest } from './protocol.ts';
 import { buffersOf } from './transfer.ts';
 
 /** How long the core may work before messages are looked at: a pause or a cancel waits no longer. */
@@ -17,6 +17,8 @@ type OpenRequest = Extract<WorkerRequest, { kind: 'open' }>;
 interface Entry {
   readonly core: CoreSession;
   readonly openRequest: OpenRequest;
+  /** What was read, while it is not ready to be shown. */
+  opened?: OpenedRun | undefined;
   phase: 'opening' | 'running' | 'paused' | 'done';
   /** Whether the tree over the points stands. */
   prepared: boolean;
@@ -129,8 +131,15 @@ export class WorkerRuntime {
   }
 
   private openSlice(runId: number, entry: Entry): void {
-    const opened = entry.core.open(SLICE_MS);
+    const opened = (entry.opened ??= entry.core.open(SLICE_MS));
     if (!opened) return;
+    // A graph of neighbors may turn out not to join all points: then what is shown has to stay.
+    if (opened.metric === 'geodesic' && !entry.prepared) {
+      const { state, stopped, stepsDone } = entry.core.advance(SLICE_MS, 1);
+      if (stopped && stepsDone === 0) throw new CoreFailure(stopped);
+      entry.prepared = state !== 'preparing';
+      if (!entry.prepared) return;
+    }
     entry.phase = 'running';
     const { points, dimension, coordinates, projection } = opened;
     const frame = frameOf(points, projection ?? { axes: dimension, coordinates, shares: [] });
