@@ -6,7 +6,10 @@ import type { WorkerLike } from '../../web/src/client/worker-link.ts';
 import type { Opened, WorkerEvent, WorkerRequest } from '../../web/src/worker/protocol.ts';
 
 const OPENED: Opened = {
+  points: 10,
   dimension: 3,
+  bettiCount: 3,
+  metric: 'euclidean',
   coordinates: new Float64Array(30),
   family: 'auto',
   nu: [1, 6, 6, 4],

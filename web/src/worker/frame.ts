@@ -11,9 +11,10 @@ interface Box {
 }
 
 function boxOf(coordinates: Float64Array, dimension: number): Box {
+  const axes = Math.min(dimension, 3);
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
-  for (let axis = 0; axis < dimension; ++axis) {
+  for (let axis = 0; axis < axes; ++axis) {
     let least = Infinity;
     let most = -Infinity;
     for (let i = axis; i < coordinates.length; i += dimension) {
@@ -24,11 +25,9 @@ function boxOf(coordinates: Float64Array, dimension: number): Box {
     low[axis] = least;
     high[axis] = most;
   }
-  const middle = (axis: number): number =>
-    axis < dimension ? (low[axis] ?? 0) / 2 + (high[axis] ?? 0) / 2 : 0;
+  const middle = (axis: number): number => (axis < axes ? (low[axis] ?? 0) / 2 + (high[axis] ?? 0) / 2 : 0);
   let extent = 0;
-  for (let axis = 0; axis < dimension; ++axis)
-    extent = Math.max(extent, (high[axis] ?? 0) - (low[axis] ?? 0));
+  for (let axis = 0; axis < axes; ++axis) extent = Math.max(extent, (high[axis] ?? 0) - (low[axis] ?? 0));
   return { center: [middle(0), middle(1), middle(2)], extent: extent || 1 };
 }
 
@@ -62,15 +61,19 @@ function outlineOf(positions: Float32Array, count: number): Float32Array {
   return outline;
 }
 
-/** n rows of 2 or 3 coordinates as the page draws them. Here, because a million of them would make the page wait. */
+/**
+ * n rows of coordinates as the page draws them: the first three, or no points where there are only distances. Here,
+ * because a million of them would make the page wait.
+ */
 export function frameOf(coordinates: Float64Array, dimension: number): CloudFrame {
-  const count = coordinates.length / dimension;
+  const count = dimension === 0 ? 0 : coordinates.length / dimension;
+  const axes = Math.min(dimension, 3);
   const { center, extent } = boxOf(coordinates, dimension);
   const positions = new Float32Array(FRAME_WIDTH * Math.max(1, Math.ceil(count / FRAME_WIDTH)) * 4);
   let farthest = 0;
   for (let point = 0; point < count; ++point) {
     let sum = 0;
-    for (let axis = 0; axis < dimension; ++axis) {
+    for (let axis = 0; axis < axes; ++axis) {
       const value = ((coordinates[point * dimension + axis] ?? 0) - (center[axis] ?? 0)) / extent;
       positions[4 * point + axis] = value;
       sum += value * value;
