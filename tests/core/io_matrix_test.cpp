@@ -119,6 +119,16 @@ TEST(MatrixReader, TheRowOfAWitnessHoldsBothSidesOfTheDiagonal) {
     EXPECT_EQ(matrix.distance(1, 2), 3);
 }
 
+TEST(MatrixReader, AZeroHasNoSign) {
+    for (const char* text : {"-0\n1 1\n", "0 -0 1\n-0 0 1\n1 1 0\n"}) {
+        const Numbers entries = read(text).cloud.distances.entries;
+        EXPECT_EQ(entries, (Numbers{0, 1, 1}));
+        EXPECT_FALSE(std::signbit(entries[0])) << text;
+    }
+    const auto array = npy_file(1, dictionary("<f4", "(3,)"), values<float>({-0.0f, 1, 1}));
+    EXPECT_FALSE(std::signbit(read(array, "m.npy").cloud.distances.narrow[0]));
+}
+
 TEST(MatrixReader, NotSquare) {
     const ErrorCode code = ErrorCode::RaggedRows;
     expect_error("0 1 2\n1 0 2\n", code, "The matrix ends after row 2 of 3: it is not square.");
@@ -240,6 +250,11 @@ TEST(MatrixReader, AFailingTriangleIsNamed) {
                   "The triangle inequality fails in 2 of 4 triples: from point 1 to point 4 it is 9, but by way of "
                   "point 3 2 + 3, for one. The distances are taken as they are.");
     }
+    const ReadCloud last = read("8\n8 2\n8 9 3\n");
+    ASSERT_EQ(last.warnings.size(), 1u);
+    EXPECT_EQ(last.warnings[0],
+              "The triangle inequality fails in 1 of 4 triples: from point 2 to point 4 it is 9, but by way of point 3 "
+              "2 + 3. The distances are taken as they are.");
     // Any of the three sides can be the long one; a degenerate triangle is one.
     for (const char* text : {"5\n1 2\n", "1\n5 2\n", "2\n1 5\n"}) EXPECT_EQ(read(text).warnings.size(), 1u) << text;
     for (const char* text : {"3\n1 2\n", "1\n3 2\n", "2\n1 3\n", "0.3\n0.1 0.2\n"}) {
