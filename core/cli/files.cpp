@@ -46,6 +46,11 @@ Result<std::string> read_file(const std::string& path) {
     const int file = path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return cannot(ErrorCode::CannotReadFile, "read", path, errno);
     std::string bytes;
+    // Growing step by step would hold a large file twice.
+    struct stat status = {};
+    if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
+        bytes.reserve(static_cast<std::size_t>(status.st_size));
+    }
     std::array<char, 65536> block{};
     int reason = 0;
     while (!interrupted()) {

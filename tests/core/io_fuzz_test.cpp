@@ -138,6 +138,7 @@ TEST(ReaderFuzz, AnyBytesGiveACloudOrASentence) {
             const char* name = round % 4 == 0 ? "-" : seed.name;
             ReadOptions options;
             if (round % 3 == 0) options.columns = {2, 1, 3};
+            if (round % 5 == 0) options.as = ReadAs::PointsOfAnyDimension;
             const auto result = read_cloud(bytes, name, options);
             if (!result) {
                 ++errors;
@@ -159,6 +160,62 @@ TEST(ReaderFuzz, AnyBytesGiveACloudOrASentence) {
     // Both ways out were taken often: the fuzz reaches behind the first check.
     EXPECT_GT(clouds, 3000);
     EXPECT_GT(errors, 3000);
+}
+
+std::vector<Seed> valid_matrices() {
+    const auto array = [](const char* dictionary, const std::string& values) {
+        return npy_file(1, dictionary, values);
+    };
+    return {
+        {"a.csv", "# remark\n0,1,2\n1,0,2.5\n2,2.5,0\n"},
+        {"a.csv", ",a,b,c\na,0,1,2\nb,1,0,2\nc,2,2,0\n"},
+        {"a.txt", "1\n2 3\n4 5 6\n"},
+        {"-", "0\n1;0\n2;3;0\n4;5;6;0\n"},
+        {"a.npy", array("{'descr': '|u1', 'fortran_order': False, 'shape': (3, 3), }", "\0\1\2\1\0\3\2\3\0"s)},
+        {"a.npy", array("{'descr': '>i2', 'fortran_order': True, 'shape': (2, 2), }", "\0\0\1\1\1\1\0\0"s)},
+        {"a.npy", array("{'descr': '|u1', 'fortran_order': False, 'shape': (6,), }", "\1\2\3\4\5\6"s)},
+    };
+}
+
+TEST(ReaderFuzz, AnyBytesGiveDistancesOrASentence) {
+    Random random(20240301);
+    ReadOptions options;
+    options.as = ReadAs::Distances;
+    options.memory_limit = 1 << 20;
+    int matrices = 0;
+    int errors = 0;
+    for (const Seed& seed : valid_matrices()) {
+        const auto valid = read_cloud(seed.bytes, seed.name, options);
+        ASSERT_TRUE(valid) << seed.name << ": " << valid.error().message;
+        for (int round = 0; round < 4000; ++round) {
+            const std::string bytes = mutated(seed.bytes, random);
+            const auto result = read_cloud(bytes, round % 4 == 0 ? "-" : seed.name, options);
+            std::vector<std::string> sentences;
+            if (result) {
+                ++matrices;
+                sentences = result.value().warnings;
+                const DistanceMatrix& matrix = result.value().cloud.distances;
+                ASSERT_GE(matrix.size, 2u);
+                const std::size_t count = matrix.entries.size() + matrix.narrow.size();
+                ASSERT_EQ(count, DistanceMatrix::entry_count(matrix.size));
+                ASSERT_LE(count, bytes.size());
+                for (std::size_t k = 0; k < count; ++k) {
+                    ASSERT_TRUE(matrix.entry(k) >= 0 && matrix.entry(k) <= kMaxCoordinate);
+                    ASSERT_FALSE(std::signbit(matrix.entry(k)));
+                }
+            } else {
+                ++errors;
+                sentences = {result.error().message};
+            }
+            for (const std::string& sentence : sentences) {
+                ASSERT_FALSE(sentence.empty());
+                ASSERT_LT(sentence.size(), 250u) << sentence;
+                for (const char c : sentence) ASSERT_TRUE(c >= ' ' && c <= '~') << sentence;
+            }
+        }
+    }
+    EXPECT_GT(matrices, 2000);
+    EXPECT_GT(errors, 2000);
 }
 
 }  // namespace

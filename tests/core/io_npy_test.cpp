@@ -114,6 +114,15 @@ TEST(NpyReader, MoreColumnsAskForAChoice) {
     }
 }
 
+TEST(NpyReader, AnyDimensionTakesAllColumns) {
+    ReadOptions options;
+    options.as = ReadAs::PointsOfAnyDimension;
+    const ReadCloud got = read(npy_file(1, dictionary("|u1", "(2, 4)"), "\1\2\3\4\5\6\7\10"), options);
+    EXPECT_EQ(got.cloud.dimension, 4u);
+    EXPECT_EQ(got.cloud.coordinates, (Numbers{1, 2, 3, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(got.warnings.size(), 1u);
+}
+
 TEST(NpyReader, ASecondArrayIsLeftOutWithAWarning) {
     const std::string one = npy_file(1, dictionary("<f8", "(2, 3)"), kSix);
     const ReadCloud got = read(one + one);

@@ -70,6 +70,25 @@ TEST(TableReader, ManyColumnsAskForAChoice) {
     EXPECT_EQ(error.message, "6 columns: choose the coordinates with --columns 1,2,3");
 }
 
+TEST(TableReader, AnyDimensionTakesThemAllWithAWarning) {
+    ReadOptions options;
+    options.as = ReadAs::PointsOfAnyDimension;
+    const ReadCloud got = read("a b c d e\n1 2 3 4 5\n6 7 8 9 10\n", "c.txt", options);
+    EXPECT_EQ(got.cloud.dimension, 5u);
+    EXPECT_EQ(got.cloud.coordinates, (Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+    ASSERT_EQ(got.warnings.size(), 1u);
+    EXPECT_EQ(got.warnings[0],
+              "Took all 5 columns as coordinates: points in R^5. If they are not, name the ones that are, such as "
+              "--columns 1,2,3.");
+    EXPECT_TRUE(read("1 2 3\n4 5 6\n", "c.txt", options).warnings.empty());
+    EXPECT_EQ(read("x,y,z,w\n1,2,3,4\n5,6,7,8\n", "c.csv", options).cloud.dimension, 3u) << "by their names";
+    options.columns = {5, 1, 2, 3};
+    const ReadCloud four = read("1 2 3 4 5\n6 7 8 9 10\n", "c.txt", options);
+    EXPECT_EQ(four.cloud.coordinates, (Numbers{5, 1, 2, 3, 10, 6, 7, 8}));
+    options.columns = {1};
+    EXPECT_EQ(failure("1 2 3\n", "c.txt", options).code, ErrorCode::InvalidOption);
+}
+
 TEST(TableReader, ColumnsAreTakenInTheirGivenOrder) {
     const ReadCloud got = read("name,a,b,c\nfirst,1,2,3\nsecond,4,5,6\n", "c.csv", {.columns = {4, 2}});
     EXPECT_EQ(got.cloud.dimension, 2u);

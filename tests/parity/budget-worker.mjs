@@ -4,8 +4,8 @@ import createModule from './plateau.mjs';
 
 const everything = 0xffffffff;
 
-function hashOf(module, source, family, budget) {
-  const run = new module.Run(source, { family });
+function hashOf(module, source, options, budget) {
+  const run = new module.Run(source, options);
   try {
     for (let answer = run.open(budget); answer.kind !== 'opened'; answer = run.open(budget)) {
       if (answer.kind === 'failed') return answer.failure.message;
@@ -23,10 +23,11 @@ function hashOf(module, source, family, budget) {
 self.onmessage = async ({ data: { cases, budgets } }) => {
   const module = await createModule({ locateFile: (name) => new URL(name, import.meta.url).href });
   self.postMessage(
-    cases.map(({ fileName, text, family }) =>
+    cases.map(({ fileName, text, family, options, anyDimension }) =>
       budgets.map((budget) => {
         const bytes = new TextEncoder().encode(text).buffer;
-        return hashOf(module, { kind: 'file', name: fileName, bytes }, family, budget);
+        const source = { kind: 'file', name: fileName, bytes, anyDimension };
+        return hashOf(module, source, { family, ...options }, budget);
       }),
     ),
   );

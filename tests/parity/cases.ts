@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { COMPUTED_SAMPLES } from '../../web/src/app/samples.ts';
-import type { Family } from '../../web/src/worker/protocol.ts';
+import type { Family, RunOptions } from '../../web/src/worker/protocol.ts';
 import { asText, bunnyPoints } from '../acceptance/bunny-cloud.mjs';
 
 /** A run that native, Node and Chromium must agree on. */
@@ -14,6 +14,11 @@ export interface Case {
   /** The points as a file; its ending says how to read it. */
   readonly fileName: string;
   readonly text: string;
+  /** What else is asked for, of the command and of the module. */
+  readonly words?: readonly string[];
+  readonly options?: RunOptions;
+  /** A table of more than three columns is taken as a whole, as the command does. */
+  readonly anyDimension?: boolean;
   /** The same points as the module makes them itself. */
   readonly sample?: { readonly shape: string; readonly size: number };
 }
@@ -34,10 +39,10 @@ export function plateau(words: readonly string[]): string {
 }
 
 /** The hash that the command gives the case. */
-export function commandHash({ fileName, text, family }: Case): string {
+export function commandHash({ fileName, text, family, words = [] }: Case): string {
   const file = join(mkdtempSync(join(tmpdir(), 'plateau-')), fileName);
   writeFileSync(file, text);
-  const printed = plateau(['run', file, '--family', family, '--hash']);
+  const printed = plateau(['run', file, '--family', family, ...words, '--hash']);
   const hash = /^hash ([0-9a-f]{16})\n$/m.exec(printed)?.[1];
   if (hash === undefined) throw new Error(`The command printed no hash: ${printed}`);
   return hash;
@@ -108,7 +113,53 @@ function ofGrids(): Case[] {
   );
 }
 
-/** Every shape and data file, the bunny, and grids, each with all families of its dimension. */
+/** Distances between the points of a grid, below the diagonal: full of ties, and roots that round. */
+function gridMatrix(side: number): string {
+  const at = (i: number): [number, number] => [Math.floor(i / side), i % side];
+  const distance = (i: number, j: number): number => {
+    const [[a, b], [c, d]] = [at(i), at(j)];
+    return Math.sqrt((a - c) ** 2 + (b - d) ** 2);
+  };
+  const rows = Array.from({ length: side * side - 1 }, (_, i) =>
+    Array.from({ length: i + 1 }, (_, j) => distance(i + 1, j)).join(),
+  );
+  return rows.join('\n') + '\n';
+}
+
+/** Every metric, and points of four coordinates with Betti numbers over Z/3. */
+function ofMetrics(): Case[] {
+  const sphere = plateau(['sample', 'sphere', '--n', '150']);
+  const metrics: readonly RunOptions[] = [
+    { metric: 'l1' },
+    { metric: 'linf' },
+    { metric: 'angular' },
+    { metric: 'projective', field: 3 },
+    { metric: 'periodic', box: [1.5, 2, 0] },
+    { metric: 'geodesic', knn: 6 },
+  ];
+  const torus = plateau(['sample', 'torus', '--n', '120']).trimEnd().split('\n');
+  const four = torus.map((line, i) => `${line} ${(i * i) % 17}`).join('\n');
+  const asked = [
+    ...metrics.map((options) => ({ fileName: 'sphere.xyz', text: sphere, options })),
+    { fileName: 'grid.csv', text: gridMatrix(9), options: { metric: 'matrix' } as const },
+    { fileName: 'four.txt', text: four, options: { maxDimension: 3, field: 3 }, anyDimension: true },
+  ];
+  return asked.map((one) => ({ ...one, ...worded(one.options), family: 'witness' }));
+}
+
+/** Options as the command takes them, and a name for them. */
+function worded({ metric, box, knn, maxDimension, field }: RunOptions): { name: string; words: string[] } {
+  const words = [
+    ...(metric === undefined ? [] : ['--metric', metric]),
+    ...(box === undefined ? [] : ['--box', box.join()]),
+    ...(knn === undefined ? [] : ['--knn', String(knn)]),
+    ...(maxDimension === undefined ? [] : ['--max-dim', String(maxDimension)]),
+    ...(field === undefined ? [] : ['--field', String(field)]),
+  ];
+  return { name: words.join(' '), words };
+}
+
+/** Every shape and data file, the bunny, and grids, each with all families of its dimension; every metric. */
 export function cases(): Case[] {
-  return [...ofShapes(), ...ofFiles(), ...ofBunny(), ...ofGrids()];
+  return [...ofShapes(), ...ofFiles(), ...ofBunny(), ...ofGrids(), ...ofMetrics()];
 }

@@ -2,7 +2,7 @@ import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import type { CloudSource, Family, WorkerEvent, WorkerRequest } from '../../web/src/worker/protocol.ts';
+import type { CloudSource, RunOptions, WorkerEvent, WorkerRequest } from '../../web/src/worker/protocol.ts';
 import { expect, root, shown, state, test } from '../web/page.ts';
 import { cases, commandHash, full, plateau, title } from './cases.ts';
 
@@ -45,9 +45,9 @@ test('the worker in Chromium computes what the command computes, for every cloud
         worker.postMessage({ ...request, requestId });
       });
     let runId = 0;
-    const hashOf = async (source: CloudSource, family: Family): Promise<string> => {
+    const hashOf = async (source: CloudSource, options: RunOptions): Promise<string> => {
       runId += 1;
-      await ask({ kind: 'open', runId, source, options: { family } });
+      await ask({ kind: 'open', runId, source, options });
       for (;;) {
         const event = await ask({ kind: 'fetchDelta', runId });
         if (event.kind !== 'delta') return JSON.stringify(event);
@@ -57,12 +57,12 @@ test('the worker in Chromium computes what the command computes, for every cloud
       }
     };
     const hashes: string[] = [];
-    for (const { fileName, text, family, sample } of list) {
+    for (const { fileName, text, family, sample, options, anyDimension } of list) {
       const bytes = new TextEncoder().encode(text).buffer;
       const source: CloudSource = sample
         ? { kind: 'sample', ...sample }
-        : { kind: 'file', name: fileName, bytes };
-      hashes.push(await hashOf(source, family));
+        : { kind: 'file', name: fileName, bytes, ...(anyDimension && { anyDimension }) };
+      hashes.push(await hashOf(source, { family, ...options }));
     }
     worker.terminate();
     return hashes;

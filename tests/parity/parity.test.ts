@@ -28,14 +28,14 @@ describe('the module computes what the command computes', () => {
     '$title',
     (one) => {
       const expected = commandHash(one);
-      const points = file(one.fileName, one.text);
+      const points = { ...file(one.fileName, one.text), ...(one.anyDimension && { anyDimension: true }) };
       const runs: [CloudSource, number][] = [
         [points, 1],
         [points, Infinity],
       ];
       if (one.sample) runs.push([sample(one.sample.shape, one.sample.size), Infinity]);
       for (const [source, budget] of runs) {
-        const run = new module.Run(source, { family: one.family });
+        const run = new module.Run(source, { family: one.family, ...one.options });
         opened(run);
         runThrough(run, budget);
         expect(run.hash(), `${source.kind}, budget ${budget} ms`).toBe(expected);
