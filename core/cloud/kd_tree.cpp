@@ -116,7 +116,10 @@ double KdTree::nearest_other_squared(std::uint32_t position) const {
 
 void KdTree::nearest_others(std::uint32_t position, std::uint32_t count, std::vector<Neighbor>& nearest) const {
     nearest.clear();
-    const auto limit = [&] { return nearest.size() < count ? kInfinity : nearest.back().distance_squared; };
+    const auto limit = [&] {
+        if (nearest.size() < count) return kInfinity;
+        return nearest.back().distance_squared;
+    };
     with_axes([&](auto axes) {
         search(0, position, axes, limit, [&](std::uint32_t other, double squared) {
             const Neighbor candidate{squared, input_index_[other]};

@@ -104,12 +104,7 @@ void LandmarkLists::visit_leaf(WitnessId begin, WitnessId end, Extremes& extreme
 
 double LandmarkLists::nearest_other_comparable(WitnessId witness) const {
     if (tree_) return tree_->nearest_other_squared(witness);
-    rows_->fill(witness, {}, row_);
-    double nearest = kInfinity;
-    for (WitnessId other = 0; other < size_; ++other) {
-        if (other != witness) nearest = std::min(nearest, row_[other]);
-    }
-    return nearest;
+    return rows_->nearest_other(witness, row_);
 }
 
 std::uint64_t LandmarkLists::memory() const {

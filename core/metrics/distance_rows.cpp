@@ -1,7 +1,7 @@
 #include "metrics/distance_rows.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <string>
 
 #include "metrics/coordinate_rows.h"
@@ -59,6 +59,31 @@ std::optional<Error> check_box(const PointCloud& cloud, const std::vector<double
 
 bool DistanceRows::prepare(const Deadline&) {
     return true;
+}
+
+double DistanceRows::nearest_other(std::uint32_t witness, std::span<double> row) {
+    fill(witness, {}, row);
+    row[witness] = std::numeric_limits<double>::infinity();
+    return *std::min_element(row.begin(), row.end());
+}
+
+std::uint64_t estimated_rows_memory(const PointCloud& cloud, const MetricOptions& options) {
+    const std::uint64_t n = cloud.size();
+    const std::uint64_t coordinates = cloud.coordinates.size() * sizeof(double);
+    switch (options.metric) {
+        case Metric::Angular:
+        case Metric::Projective:
+            return coordinates + n * sizeof(double);
+        case Metric::Periodic:
+            return coordinates;
+        case Metric::Geodesic: {
+            // Tree, and a neighbor as it was found and as an edge at both of its ends.
+            constexpr std::uint64_t kBytesPerNeighbor = 48;
+            return 2 * coordinates + n * std::min<std::uint64_t>(options.neighbors, n) * kBytesPerNeighbor;
+        }
+        default:
+            return 0;
+    }
 }
 
 std::unique_ptr<DistanceRows> make_distance_rows(const PointCloud& cloud, const MetricOptions& options) {

@@ -46,6 +46,9 @@ public:
     /// The comparable distances from the witness to all, `row` one a witness; what is not below its limit may be any
     /// other number that is not below it.
     virtual void fill(std::uint32_t witness, const Limits& limits, std::span<double> row) = 0;
+    /// The least comparable distance from the witness to another one, infinity where there is none; `row` is scratch,
+    /// one number a witness.
+    virtual double nearest_other(std::uint32_t witness, std::span<double> row);
     /// The distance, in input units (angles: radians), of a comparable one.
     virtual double distance(double comparable) const = 0;
     /// Bytes held beyond the cloud.
@@ -54,6 +57,9 @@ public:
 
 /// The rows of a cloud under a metric. `cloud` must outlive them. Precondition: check_metric() has no objection.
 std::unique_ptr<DistanceRows> make_distance_rows(const PointCloud& cloud, const MetricOptions& options);
+
+/// Bytes that they will hold.
+std::uint64_t estimated_rows_memory(const PointCloud& cloud, const MetricOptions& options);
 
 /// Why the metric cannot be taken for this cloud: no coordinates, or none that it can use (a zero vector has no
 /// direction), or options that make no sense. InvalidOption, with a sentence that says what to do.

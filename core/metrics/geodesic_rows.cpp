@@ -116,6 +116,14 @@ void GeodesicRows::fill(std::uint32_t witness, const Limits& limits, std::span<d
     }
 }
 
+double GeodesicRows::nearest_other(std::uint32_t witness, std::span<double>) {
+    double nearest = kInfinity;
+    for (std::size_t e = first_edge_[witness]; e < first_edge_[witness + 1]; ++e) {
+        nearest = std::min(nearest, edges_[e].length);
+    }
+    return nearest;
+}
+
 std::uint64_t GeodesicRows::memory() const {
     return (edges_.capacity() + nearest_.capacity()) * sizeof(Edge) + first_edge_.capacity() * sizeof(std::size_t);
 }

@@ -26,6 +26,8 @@ public:
     bool prepare(const Deadline& deadline) override;
     std::optional<Error> failure() const override { return failure_; }
     void fill(std::uint32_t witness, const Limits& limits, std::span<double> row) override;
+    /// No path is shorter than the shortest edge that it can begin with.
+    double nearest_other(std::uint32_t witness, std::span<double> row) override;
     double distance(double comparable) const override { return comparable; }
     std::uint64_t memory() const override;
 

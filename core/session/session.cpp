@@ -6,6 +6,7 @@
 
 #include "base/words.h"
 #include "landmarks/noise_scale.h"
+#include "metrics/distance_rows.h"
 #include "session/engine.h"
 #include "session/options.h"
 
@@ -50,8 +51,8 @@ Result<Session> Session::open(PointCloud cloud, const RunOptions& options) {
     PointCloud points = std::move(checked).value();
     auto complete = resolved(options, points);
     if (!complete) return complete.error();
-    const std::uint64_t needed =
-        estimated_memory(points.size(), 1, points.dimension, *complete.value().family) + input_memory(points);
+    const std::uint64_t needed = estimated_memory(points.size(), 1, points.dimension, *complete.value().family) +
+                                 input_memory(points) + estimated_rows_memory(points, complete.value().metric);
     if (needed > complete.value().memory_limit) {
         return Error{ErrorCode::OutOfMemory,
                      grouped(points.size()) + " points alone need about " + in_megabytes(needed) + ", but only " +

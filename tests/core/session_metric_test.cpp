@@ -140,6 +140,30 @@ TEST(MetricOptions, AGraphInPiecesEndsTheRunBeforeItsFirstStep) {
     EXPECT_GT(length_of(cloud, options, {1, 0}), 0);
 }
 
+TEST(MetricOptions, AGraphThatWillNotFitIsRefused) {
+    RunOptions options = by(Metric::Geodesic);
+    options.memory_limit = 20 << 20;
+    const PointCloud cloud = uniform(2, 2000);
+    EXPECT_EQ(refusal(cloud, options), "");
+    options.metric.neighbors = 1'000'000'000;
+    const auto opened = Session::open(cloud, options);
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().code, ErrorCode::OutOfMemory);
+}
+
+TEST(MetricOptions, OnePointOrOnePlaceIsOneStep) {
+    for (const Metric metric : {Metric::L1, Metric::Angular, Metric::Projective, Metric::Periodic, Metric::Geodesic}) {
+        for (const std::uint32_t copies : {1u, 2u, 5u}) {
+            PointCloud cloud{2, {}};
+            for (std::uint32_t k = 0; k < copies; ++k) cloud.coordinates.insert(cloud.coordinates.end(), {0.5, 0.25});
+            Session session = Session::open(cloud, by(metric)).value();
+            EXPECT_EQ(session.run({}).state, RunState::Finished);
+            EXPECT_EQ(session.timeline().step_count, 1u);
+            EXPECT_EQ(session.timeline().epsilon(1), 0);
+        }
+    }
+}
+
 TEST(MetricOptions, AsManyBettiNumbersAsAskedFor) {
     const PointCloud cloud = uniform(3, 60);
     Betti first;
