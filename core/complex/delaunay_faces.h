@@ -46,6 +46,10 @@ public:
     std::uint64_t memory() const;
 
 private:
+    void update_spatial(const DelaunayChange& change, const DelaunayLink& link);
+    void update_by_vertices(Step step, const Delaunay& delaunay, const DelaunayChange& change,
+                            const DelaunayLink& link);
+
     static constexpr std::size_t kEdge[4][4] = {{6, 0, 1, 2}, {0, 6, 3, 4}, {1, 3, 6, 5}, {2, 4, 5, 6}};
     struct Faces {
         std::array<SimplexIndex, 6> edge{kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex};

@@ -123,13 +123,13 @@ void NuComplex::lose_in_delaunay(const Delaunay& delaunay, const DelaunayChange&
     const auto corners = static_cast<std::size_t>(change.dimension) + 1;
     for (const CellId id : change.died) {
         const DelaunayCell& cell = delaunay.cell(id);
+        std::array<std::uint32_t, 4> place{};
+        for (std::size_t i = 0; i < corners; ++i) place[i] = link_.vertex(cell.vertex[i]);
         for (std::size_t i = 0; i < corners; ++i) {
             for (std::size_t j = i + 1; j < corners; ++j) {
                 const SimplexIndex edge = faces_.edge(id, i, j);
                 if (edge == kNoSimplex) continue;
-                const bool in_link =
-                    corners > 2 && link_.edge(link_.vertex(cell.vertex[i]), link_.vertex(cell.vertex[j])) != kNone;
-                if (!in_link) die(1, edge);
+                if (!link_.has_edge(place[i], place[j])) die(1, edge);
             }
         }
         if (corners == 3) die(2, faces_.triangle(id, 3));
@@ -146,8 +146,13 @@ void NuComplex::mark_link(const LandmarkLists& lists, std::span<const ListEntry>
     auto& vertices = link_.vertices();
     auto& triangles = link_.triangles();
     for (std::uint32_t at = 0; at < entries.size(); ++at) {
-        places_.clear();  // of the list in the link; p itself is not in it
-        for (const Step landmark : lists.list(entries[at].witness)) places_.push_back(link_.vertex(landmark));
+        const auto list = lists.list(entries[at].witness);
+        places_.resize(list.size());  // in the link; p itself is not in it
+        std::uint64_t bits = 0;       // of all these places, and maybe more
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            places_[i] = link_.vertex(list[i]);
+            bits |= DelaunayLink::bit(places_[i]);
+        }
         for (std::size_t track = 0; track < nu_.size(); ++track) {
             const auto reach = [&](int k) {
                 const std::uint32_t count = nu(static_cast<int>(track), k);
@@ -156,11 +161,11 @@ void NuComplex::mark_link(const LandmarkLists& lists, std::span<const ListEntry>
             for (std::uint32_t i = 0; i < reach(1); ++i) {
                 if (places_[i] == kNone) continue;
                 std::uint32_t& first = vertices[places_[i]].first_witness[track];
-                if (first == kNone) first = at;
+                first = std::min(first, at);
             }
             const std::uint32_t for_edges = reach(2);
             for (std::uint32_t j = 1; j < for_edges; ++j) {
-                if (places_[j] == kNone) continue;
+                if (places_[j] == kNone || !link_.may_wait_for_any(track, places_[j], bits)) continue;
                 for (std::uint32_t i = 0; i < j; ++i) {
                     if (places_[i] == kNone || !link_.may_wait(track, places_[j], places_[i])) continue;
                     const std::uint32_t edge = link_.edge(places_[i], places_[j]);
