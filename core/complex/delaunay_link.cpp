@@ -78,7 +78,7 @@ void DelaunayLink::build_spatial(const Delaunay& delaunay, const DelaunayChange&
         for (std::size_t j = 0, i = 0; j < 3; ++i) {
             if (i != triangle.apex) corners[j++] = std::uint64_t{vertex(cell.vertex[i])} << 2 | i;
         }
-        sort_few(corners.data(), 3);
+        sort_three(corners);
 
         const CellId behind = cell.neighbor[triangle.apex];
         const DelaunayCell& old = delaunay.cell(behind);

@@ -84,7 +84,7 @@ private:
     DelaunayFaces faces_;
     std::vector<LinkTable> candidates_;  // without D(L), one a dimension
     std::vector<Death> deaths_;
-    std::vector<std::uint32_t> order_, places_;  // scratch
+    std::vector<std::uint32_t> order_, places_, reach_;  // scratch
 };
 
 }  // namespace plateau
