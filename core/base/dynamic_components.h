@@ -6,6 +6,7 @@
 
 #include "base/component_labels.h"
 #include "base/part_search.h"
+#include "base/prefetch.h"
 
 namespace plateau {
 
@@ -28,6 +29,10 @@ public:
     void resize(std::size_t count) {
         search_.resize(count);
         states_.resize(count);
+    }
+    /// Asks for a node that this step will concern.
+    void expect(Node node) const {
+        if (node < states_.size()) prefetch(&states_[node]);
     }
     void add_node(Node node) { slots_[slot(node)].fate = Fate::Added; }
     /// With all its edges, which are to be removed one by one.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/prefetch.h"
 #include "complex/delaunay_link.h"
 #include "complex/simplex_table.h"
 #include "delaunay/delaunay.h"
@@ -20,6 +21,12 @@ public:
         int index = 0;
     };
 
+    /// Asks for the entries of the cell.
+    void expect(CellId cell) const {
+        if (cell >= faces_.size()) return;
+        prefetch(&faces_[cell]);
+        prefetch(&faces_[cell].tetrahedron);
+    }
     /// Follows one insertion, after its simplices were born. Cost: O(cells born).
     void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const DelaunayLink& link,
                 const std::vector<SimplexTable>& tables);

@@ -50,6 +50,7 @@ public:
     std::uint64_t memory() const;
 
 private:
+    void expect(const DelaunayChange& change) const;
     void record_deaths();
     void record_numbers(Step step);
     void extend_hash(Step step);
