@@ -56,8 +56,7 @@ bool Peeling::sharp(SimplexIndex edge, Round from, const Context& context) {
 
     candidates_.clear();
     for_each_at(edge, [&](SimplexIndex triangle, std::uint32_t corner) {
-        if (states_[triangle].round >= from)
-            candidates_.push_back({triangle, context.triangles.tuple(triangle)[corner]});
+        if (counts(triangle)) candidates_.push_back({triangle, context.triangles.tuple(triangle)[corner]});
     });
     if (candidates_.size() < 2) return true;
     const auto ends = context.edges.tuple(edge);
