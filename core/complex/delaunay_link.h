@@ -74,8 +74,7 @@ public:
     }
     /// Whether there is an edge between two of the old landmarks, given by place or kNone. Before any edge is marked.
     bool has_edge(std::uint32_t a, std::uint32_t b) const {
-        if (a == kNone || b == kNone || !may_wait(0, a, b)) return false;
-        return vertices_.size() <= 64 || edge(a, b) != kNone;
+        return a != kNone && b != kNone && may_wait(0, a, b) && edge(a, b) != kNone;
     }
     /// Whether there may be an edge between two vertices, given by place, without a witness in the track: spares most
     /// look-ups. Exact in a link of up to 64 vertices.

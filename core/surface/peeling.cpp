@@ -133,10 +133,9 @@ void Peeling::doubt(SimplexIndex triangle, Round from, const Context& context) {
         for_each_at(edge, [&](SimplexIndex at, std::uint32_t) {
             State& neighbor = states_[at];
             if (neighbor.round == kForever || neighbor.round < from) return;
-            // Once is enough: what counts in a round does not change while it is checked, nor after.
-            if (neighbor.asked == admission_ && neighbor.checked == neighbor.round) return;
+            // Once is enough: what is certified anew has counted all that can still come into doubt.
+            if (neighbor.asked == admission_) return;
             neighbor.asked = admission_;
-            neighbor.checked = neighbor.round;
             push({neighbor.round, Event::Check, at});
         });
     }

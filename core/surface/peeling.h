@@ -60,7 +60,6 @@ private:
     /// Of a triangle.
     struct State {
         Round round = kForever;
-        Round checked = kForever;      ///< round of the last check that the last admission which saw it has asked for
         std::uint32_t in_doubt = 0;    ///< the admission that doubts it
         std::uint32_t asked = 0;       ///< the admission that asked for a check
         Step touched = 0;              ///< the step that may have changed it last
