@@ -6,23 +6,11 @@ namespace {
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 }
 
-std::uint32_t DynamicComponents::slot(Node node) {
-    State& state = states_[node];
-    if (state.seen != now_) {
-        state.seen = now_;
-        state.slot = static_cast<std::uint32_t>(slots_.size());
-        slots_.push_back({node, state.slot, state.slot, ComponentLabels::kNone, kNone, false, Fate::Stays});
-    }
-    return state.slot;
-}
-
-std::uint32_t DynamicComponents::root(std::uint32_t Slot::*parent, std::uint32_t slot) {
-    while (slots_[slot].*parent != slot) slot = slots_[slot].*parent = slots_[slots_[slot].*parent].*parent;
-    return slot;
-}
-
-void DynamicComponents::unite(std::uint32_t Slot::*parent, std::uint32_t a, std::uint32_t b) {
-    slots_[root(parent, a)].*parent = root(parent, b);
+std::uint32_t DynamicComponents::add_slot(Node node) {
+    const auto fresh = static_cast<std::uint32_t>(slots_.size());
+    states_[node].slot = fresh;
+    slots_.push_back({node, fresh, fresh, ComponentLabels::kNone, kNone, false, Fate::Stays});
+    return fresh;
 }
 
 // What is joined by added edges shares the labels of the nodes that were there before.

@@ -6,6 +6,7 @@
 
 #include "base/component_labels.h"
 #include "base/part_search.h"
+#include "base/prefetch.h"
 
 namespace plateau {
 
@@ -29,6 +30,10 @@ public:
         search_.resize(count);
         states_.resize(count);
     }
+    /// Asks for a node that this step will concern.
+    void expect(Node node) const {
+        if (node < states_.size()) prefetch(&states_[node]);
+    }
     void add_node(Node node) { slots_[slot(node)].fate = Fate::Added; }
     /// With all its edges, which are to be removed one by one.
     void remove_node(Node node) { slots_[slot(node)].fate = Fate::Removed; }
@@ -50,7 +55,6 @@ public:
             });
         });
         slots_.clear();
-        ++now_;
     }
     template <class VisitNeighbors>
     void settle(const VisitNeighbors& visit_neighbors) {
@@ -74,18 +78,25 @@ private:
     };
     struct State {
         ComponentLabels::Label label = ComponentLabels::kNone;
-        std::uint32_t seen = 0;  // the step of the slot
-        std::uint32_t slot = 0;
+        std::uint32_t slot = 0;  // of this step, if that slot is the node's
     };
 
-    std::uint32_t slot(Node node);
-    std::uint32_t root(std::uint32_t Slot::*parent, std::uint32_t slot);
-    void unite(std::uint32_t Slot::*parent, std::uint32_t a, std::uint32_t b);
+    std::uint32_t slot(Node node) {
+        const std::uint32_t known = states_[node].slot;
+        return known < slots_.size() && slots_[known].node == node ? known : add_slot(node);
+    }
+    std::uint32_t add_slot(Node node);
+    std::uint32_t root(std::uint32_t Slot::*parent, std::uint32_t slot) {
+        while (slots_[slot].*parent != slot) slot = slots_[slot].*parent = slots_[slots_[slot].*parent].*parent;
+        return slot;
+    }
+    void unite(std::uint32_t Slot::*parent, std::uint32_t a, std::uint32_t b) {
+        slots_[root(parent, a)].*parent = root(parent, b);
+    }
     void label_added();
     void find_suspects();
 
     Node endless_;
-    std::uint32_t now_ = 1;
     std::vector<State> states_;  // by node
     std::vector<Slot> slots_;
     std::vector<Node> suspects_;

@@ -12,6 +12,42 @@ void DelaunayFaces::update(Step step, const Delaunay& delaunay, const DelaunayCh
     if (tables.size() > 1) facet_.resize(tables[1].size());
     if (tables.size() > 2) cell_.resize(tables[2].size());
 
+    if (change.dimension < 3 || change.dimension_rose) {
+        update_by_vertices(step, delaunay, change, link);
+    } else {
+        update_spatial(change, link);
+    }
+}
+
+// Edges and triangles without p are in the link, those with p stand over its vertices and edges.
+void DelaunayFaces::update_spatial(const DelaunayChange& change, const DelaunayLink& link) {
+    for (std::size_t t = 0; t < change.born.size(); ++t) {
+        const CellId id = change.born[t];
+        const DelaunayLink::Triangle& base = link.triangles()[t];
+        Faces faces;
+        for (std::size_t j = 0; j < 3; ++j) {
+            if (base.vertex[j] != kNone) {
+                faces.edge[kEdge[base.apex][base.corner[j]]] = link.vertices()[base.vertex[j]].born;
+            }
+            if (base.edge[j] == kNone) continue;
+            const DelaunayLink::Edge& edge = link.edges()[base.edge[j]];
+            faces.edge[kEdge[base.corner[(j + 1) % 3]][base.corner[(j + 2) % 3]]] = edge.base;
+            faces.triangle[base.corner[j]] = edge.born;
+        }
+        faces.triangle[base.apex] = base.base;
+        faces.tetrahedron = base.born;
+        for (int i = 0; i < 4; ++i) {
+            const SimplexIndex triangle = faces.triangle[static_cast<std::size_t>(i)];
+            if (triangle != kNoSimplex) facet_[triangle] = {id, i};
+        }
+        if (faces.tetrahedron != kNoSimplex) cell_[faces.tetrahedron] = id;
+        faces_[id] = faces;
+    }
+}
+
+// Where the triangles of the link do not stand for the new cells one by one.
+void DelaunayFaces::update_by_vertices(Step step, const Delaunay& delaunay, const DelaunayChange& change,
+                                       const DelaunayLink& link) {
     const auto corners = static_cast<std::size_t>(change.dimension) + 1;
     for (const CellId id : change.born) {
         const DelaunayCell& cell = delaunay.cell(id);
@@ -22,7 +58,6 @@ void DelaunayFaces::update(Step step, const Delaunay& delaunay, const DelaunayCh
             if (cell.vertex[i] == step) apex = i;
             place[i] = link.vertex(cell.vertex[i]);
         }
-        // Edges and triangles without p are in the link, those with p stand over its vertices and edges.
         std::array<std::array<std::uint32_t, 4>, 4> edge{};  // of the link, by places in the cell
         for (std::size_t i = 0; i < corners; ++i) {
             for (std::size_t j = i + 1; j < corners; ++j) {

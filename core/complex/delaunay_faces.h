@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/prefetch.h"
 #include "complex/delaunay_link.h"
 #include "complex/simplex_table.h"
 #include "delaunay/delaunay.h"
@@ -20,6 +21,12 @@ public:
         int index = 0;
     };
 
+    /// Asks for the entries of the cell.
+    void expect(CellId cell) const {
+        if (cell >= faces_.size()) return;
+        prefetch(&faces_[cell]);
+        prefetch(&faces_[cell].tetrahedron);
+    }
     /// Follows one insertion, after its simplices were born. Cost: O(cells born).
     void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const DelaunayLink& link,
                 const std::vector<SimplexTable>& tables);
@@ -46,6 +53,10 @@ public:
     std::uint64_t memory() const;
 
 private:
+    void update_spatial(const DelaunayChange& change, const DelaunayLink& link);
+    void update_by_vertices(Step step, const Delaunay& delaunay, const DelaunayChange& change,
+                            const DelaunayLink& link);
+
     static constexpr std::size_t kEdge[4][4] = {{6, 0, 1, 2}, {0, 6, 3, 4}, {1, 3, 6, 5}, {2, 4, 5, 6}};
     struct Faces {
         std::array<SimplexIndex, 6> edge{kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex, kNoSimplex};

@@ -13,15 +13,26 @@ void DelaunayLink::build(Step step, const Delaunay& delaunay, const DelaunayChan
     vertices_.clear();
     edges_.clear();
     triangles_.clear();
+    collect_vertices(delaunay, change);
+    if (change.dimension < 2) return;
+    reserve_edges(3 * change.born.size());
+    if (change.dimension == 2) {
+        build_flat(delaunay, change, faces, tables);
+    } else {
+        build_spatial(delaunay, change, faces, tables);
+    }
+}
+
+void DelaunayLink::collect_vertices(const Delaunay& delaunay, const DelaunayChange& change) {
     steps_.clear();
-    place_.resize(step + std::size_t{1});
+    place_.resize(step_ + std::size_t{1});
     const auto corners = static_cast<std::size_t>(change.dimension) + 1;
     for (const CellId id : change.born) {
         const DelaunayCell& cell = delaunay.cell(id);
         for (std::size_t i = 0; i < corners; ++i) {
             const Step landmark = cell.vertex[i];
-            if (landmark == kInfiniteVertex || landmark == step || place_[landmark].step == step) continue;
-            place_[landmark].step = step;
+            if (landmark == kInfiniteVertex || landmark == step_ || place_[landmark].step == step_) continue;
+            place_[landmark].step = step_;
             steps_.push_back(landmark);
         }
     }
@@ -30,55 +41,77 @@ void DelaunayLink::build(Step step, const Delaunay& delaunay, const DelaunayChan
         place_[landmark].place = static_cast<std::uint32_t>(vertices_.size());
         vertices_.push_back({landmark});
     }
-    if (change.dimension < 2) return;
+}
 
-    reserve_edges(3 * change.born.size());
+// The cell behind the link is older than p and knows its faces, unless D(L) has just become a cone over itself.
+void DelaunayLink::build_flat(const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces,
+                              const std::vector<SimplexTable>& tables) {
     for (const CellId id : change.born) {
         const DelaunayCell& cell = delaunay.cell(id);
-        if (!cell.finite(change.dimension)) continue;
-        std::array<std::uint32_t, 3> vertex{};
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < corners; ++i) {
-            if (cell.vertex[i] != step) vertex[count++] = place_[cell.vertex[i]].place;
-        }
-        sort_few(vertex.data(), count);
-        // The cell behind the link is older than p, unless D(L) has just become a cone over itself.
-        const int apex = cell.index_of_vertex(step);
-        const CellId behind = cell.neighbor[static_cast<std::size_t>(apex)];
-        const DelaunayCell& old = delaunay.cell(behind);
-        const auto base_edge = [&](std::uint32_t a, std::uint32_t b) {
-            const std::array<Step, 2> tuple{vertices_[a].step, vertices_[b].step};
-            if (change.dimension_rose) return tables[0].find(tuple);
-            return faces.edge(behind, static_cast<std::size_t>(old.index_of_vertex(tuple[0])),
-                              static_cast<std::size_t>(old.index_of_vertex(tuple[1])));
-        };
-        const auto edge_of = [&](std::uint32_t a, std::uint32_t b) {
-            const std::uint32_t known = edge(a, b);
-            if (known != kNone) return known;
-            const std::uint32_t place = add_edge(a, b);
-            edges_[place].base = base_edge(a, b);
-            return place;
-        };
-        if (count == 2) {
-            edge_of(vertex[0], vertex[1]);
-            continue;
-        }
-        Triangle triangle;
-        triangle.vertex = vertex;
-        triangle.edge = {edge_of(vertex[1], vertex[2]), edge_of(vertex[0], vertex[2]), edge_of(vertex[0], vertex[1])};
+        if (!cell.finite(2)) continue;
+        const auto apex = static_cast<std::size_t>(cell.index_of_vertex(step_));
+        const std::size_t i = apex == 0 ? 1 : 0;
+        const std::size_t j = 3 - apex - i;
+        const std::array<Step, 2> tuple{std::min(cell.vertex[i], cell.vertex[j]),
+                                        std::max(cell.vertex[i], cell.vertex[j])};
+        SimplexIndex& base = edges_[find_or_add_edge(vertex(tuple[0]), vertex(tuple[1]))].base;
         if (change.dimension_rose) {
-            const std::array<Step, 3> tuple{vertices_[vertex[0]].step, vertices_[vertex[1]].step,
-                                            vertices_[vertex[2]].step};
-            triangle.base = tables[1].find(tuple);
+            base = tables[0].find(tuple);
         } else {
+            const CellId behind = cell.neighbor[apex];
+            const DelaunayCell& old = delaunay.cell(behind);
+            base = faces.edge(behind, static_cast<std::size_t>(old.index_of_vertex(tuple[0])),
+                              static_cast<std::size_t>(old.index_of_vertex(tuple[1])));
+        }
+    }
+}
+
+void DelaunayLink::build_spatial(const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces,
+                                 const std::vector<SimplexTable>& tables) {
+    for (const CellId id : change.born) {
+        const DelaunayCell& cell = delaunay.cell(id);
+        if (change.dimension_rose && !cell.finite(3)) continue;  // it need not contain p
+        const auto t = static_cast<std::uint32_t>(triangles_.size());
+        Triangle& triangle = triangles_.emplace_back();
+        triangle.apex = static_cast<std::uint8_t>(cell.index_of_vertex(step_));
+        std::array<std::uint64_t, 3> corners{};  // place and corner of the cell; infinity is the last
+        for (std::size_t j = 0, i = 0; j < 3; ++i) {
+            if (i != triangle.apex) corners[j++] = std::uint64_t{vertex(cell.vertex[i])} << 2 | i;
+        }
+        sort_three(corners);
+
+        const CellId behind = cell.neighbor[triangle.apex];
+        const DelaunayCell& old = delaunay.cell(behind);
+        std::array<std::size_t, 3> corner_behind{};
+        for (std::size_t j = 0; j < 3; ++j) {
+            triangle.vertex[j] = static_cast<std::uint32_t>(corners[j] >> 2);
+            triangle.corner[j] = static_cast<std::uint8_t>(corners[j] & 3u);
+            corner_behind[j] = static_cast<std::size_t>(old.index_of_vertex(cell.vertex[triangle.corner[j]]));
+        }
+        const auto tuple_of = [&](std::size_t j) { return cell.vertex[triangle.corner[j]]; };
+        for (std::size_t lacking = 0; lacking < 3; ++lacking) {
+            const std::size_t i = lacking == 0 ? 1 : 0;
+            const std::size_t j = lacking == 2 ? 1 : 2;
+            if (triangle.vertex[j] == kNone) {
+                triangle.edge[lacking] = kNone;
+                continue;
+            }
+            const std::uint32_t place = find_or_add_edge(triangle.vertex[i], triangle.vertex[j]);
+            triangle.edge[lacking] = place;
+            Edge& edge = edges_[place];
+            if (edge.triangle[0] != kNone) {
+                edge.triangle[1] = t;
+                continue;
+            }
+            edge.triangle[0] = t;
+            edge.base = change.dimension_rose ? tables[0].find(std::array{tuple_of(i), tuple_of(j)})
+                                              : faces.edge(behind, corner_behind[i], corner_behind[j]);
+        }
+        if (!change.dimension_rose) {
             triangle.base = faces.triangle(behind, old.index_of_neighbor(id));
+        } else {
+            triangle.base = tables[1].find(std::array{tuple_of(0), tuple_of(1), tuple_of(2)});
         }
-        const auto place = static_cast<std::uint32_t>(triangles_.size());
-        for (const std::uint32_t e : triangle.edge) {
-            auto& around = edges_[e].triangle;
-            around[around[0] == kNone ? 0 : 1] = place;
-        }
-        triangles_.push_back(triangle);
     }
 }
 
@@ -94,15 +127,19 @@ std::uint32_t DelaunayLink::triangle(std::uint32_t edge, std::uint32_t third) co
     return kNone;
 }
 
-std::uint32_t DelaunayLink::add_edge(std::uint32_t a, std::uint32_t b) {
-    const auto place = static_cast<std::uint32_t>(edges_.size());
+// With a < b.
+std::uint32_t DelaunayLink::find_or_add_edge(std::uint32_t a, std::uint32_t b) {
     std::size_t slot = hash(a, b);
-    while (slots_[slot].step == step_) slot = (slot + 1) & mask_;
+    for (; slots_[slot].step == step_; slot = (slot + 1) & mask_) {
+        const Edge& known = edges_[slots_[slot].place];
+        if (known.a == a && known.b == b) return slots_[slot].place;
+    }
+    const auto place = static_cast<std::uint32_t>(edges_.size());
     slots_[slot] = {step_, place};
     edges_.push_back({a, b});
     for (std::size_t track = 0; track < kMaxTracks; ++track) {
-        vertices_[a].waiting[track] |= std::uint64_t{1} << (b % 64);
-        vertices_[b].waiting[track] |= std::uint64_t{1} << (a % 64);
+        vertices_[a].waiting[track] |= bit(b);
+        vertices_[b].waiting[track] |= bit(a);
     }
     return place;
 }

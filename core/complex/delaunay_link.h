@@ -35,9 +35,13 @@ public:
         FirstWitness first_witness{kNone, kNone};
         SimplexIndex born = kNoSimplex;  ///< the triangle with p
     };
+    /// In a spatial D(L) one for each new cell, in their order; that of an infinite cell lacks a vertex and two edges.
+    /// When D(L) has just become spatial, one for each finite cell.
     struct Triangle {
         std::array<std::uint32_t, 3> vertex{};  ///< places, ascending
         std::array<std::uint32_t, 3> edge{};    ///< places; edge j lacks vertex j
+        std::array<std::uint8_t, 3> corner{};   ///< of the cell: where its vertices are
+        std::uint8_t apex = 0;                  ///< of the cell: where p is
         SimplexIndex base = kNoSimplex;         ///< itself in the record
         FirstWitness first_witness{kNone, kNone};
         SimplexIndex born = kNoSimplex;  ///< the tetrahedron with p
@@ -68,19 +72,28 @@ public:
             if (place == kNone || (edges_[place].a == a && edges_[place].b == b)) return place;
         }
     }
+    /// Whether there is an edge between two of the old landmarks, given by place or kNone. Before any edge is marked.
+    bool has_edge(std::uint32_t a, std::uint32_t b) const {
+        return a != kNone && b != kNone && may_wait(0, a, b) && edge(a, b) != kNone;
+    }
     /// Whether there may be an edge between two vertices, given by place, without a witness in the track: spares most
     /// look-ups. Exact in a link of up to 64 vertices.
     bool may_wait(std::size_t track, std::uint32_t a, std::uint32_t b) const {
-        return (vertices_[a].waiting[track] >> (b % 64) & 1u) != 0;
+        return (vertices_[a].waiting[track] & bit(b)) != 0;
     }
+    /// The same of a vertex and any one of others, given by their bits.
+    bool may_wait_for_any(std::size_t track, std::uint32_t a, std::uint64_t others) const {
+        return (vertices_[a].waiting[track] & others) != 0;
+    }
+    static std::uint64_t bit(std::uint32_t place) { return std::uint64_t{1} << (place % 64); }
     /// The entry at this place witnesses p and the edge.
     void mark_edge(std::size_t track, std::uint32_t edge, std::uint32_t entry) {
         Edge& marked = edges_[edge];
         if (marked.first_witness[track] != kNone) return;
         marked.first_witness[track] = entry;
         if (vertices_.size() > 64) return;
-        vertices_[marked.a].waiting[track] &= ~(std::uint64_t{1} << marked.b);
-        vertices_[marked.b].waiting[track] &= ~(std::uint64_t{1} << marked.a);
+        vertices_[marked.a].waiting[track] &= ~bit(marked.b);
+        vertices_[marked.b].waiting[track] &= ~bit(marked.a);
     }
     /// Place of the triangle of an edge with this third vertex, or kNone; also where one of them is kNone.
     std::uint32_t triangle(std::uint32_t edge, std::uint32_t third) const;
@@ -92,8 +105,13 @@ private:
     };
 
     std::size_t hash(std::uint32_t a, std::uint32_t b) const { return (a * 41u + b) & mask_; }
-    std::uint32_t add_edge(std::uint32_t a, std::uint32_t b);
+    std::uint32_t find_or_add_edge(std::uint32_t a, std::uint32_t b);
     void reserve_edges(std::size_t count);
+    void collect_vertices(const Delaunay& delaunay, const DelaunayChange& change);
+    void build_flat(const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces,
+                    const std::vector<SimplexTable>& tables);
+    void build_spatial(const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces,
+                       const std::vector<SimplexTable>& tables);
 
     Step step_ = 0;
     std::vector<Vertex> vertices_;

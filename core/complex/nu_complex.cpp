@@ -122,13 +122,13 @@ void NuComplex::lose_in_delaunay(const Delaunay& delaunay, const DelaunayChange&
     const auto corners = static_cast<std::size_t>(change.dimension) + 1;
     for (const CellId id : change.died) {
         const DelaunayCell& cell = delaunay.cell(id);
+        std::array<std::uint32_t, 4> place{};
+        for (std::size_t i = 0; i < corners; ++i) place[i] = link_.vertex(cell.vertex[i]);
         for (std::size_t i = 0; i < corners; ++i) {
             for (std::size_t j = i + 1; j < corners; ++j) {
                 const SimplexIndex edge = faces_.edge(id, i, j);
                 if (edge == kNoSimplex) continue;
-                const bool in_link =
-                    corners > 2 && link_.edge(link_.vertex(cell.vertex[i]), link_.vertex(cell.vertex[j])) != kNone;
-                if (!in_link) die(1, edge);
+                if (!link_.has_edge(place[i], place[j])) die(1, edge);
             }
         }
         if (corners == 3) die(2, faces_.triangle(id, 3));
@@ -145,23 +145,34 @@ void NuComplex::mark_link(const LandmarkLists& lists, std::span<const ListEntry>
     auto& vertices = link_.vertices();
     auto& triangles = link_.triangles();
     for (std::uint32_t at = 0; at < entries.size(); ++at) {
-        places_.clear();  // of the list in the link; p itself is not in it
-        for (const Step landmark : lists.list(entries[at].witness)) places_.push_back(link_.vertex(landmark));
+        // The list as far as it is in the link, in its order, and how much of it that is up to each rank; p is not in
+        // it.
+        const auto list = lists.list(entries[at].witness);
+        places_.resize(list.size());
+        reach_.resize(list.size() + 1);
+        std::uint32_t known = 0;
+        std::uint64_t bits = 0;
+        for (std::size_t rank = 0; rank < list.size(); ++rank) {
+            const std::uint32_t place = link_.vertex(list[rank]);
+            places_[known] = place;
+            known += place != kNone ? 1 : 0;
+            reach_[rank + 1] = known;
+            bits |= DelaunayLink::bit(place);
+        }
         for (std::size_t track = 0; track < nu_.size(); ++track) {
             const auto reach = [&](int k) {
                 const std::uint32_t count = nu(static_cast<int>(track), k);
-                return entries[at].rank < count ? count : 0;
+                return entries[at].rank < count ? reach_[count] : 0;
             };
             for (std::uint32_t i = 0; i < reach(1); ++i) {
-                if (places_[i] == kNone) continue;
                 std::uint32_t& first = vertices[places_[i]].first_witness[track];
-                if (first == kNone) first = at;
+                first = std::min(first, at);
             }
             const std::uint32_t for_edges = reach(2);
             for (std::uint32_t j = 1; j < for_edges; ++j) {
-                if (places_[j] == kNone) continue;
+                if (!link_.may_wait_for_any(track, places_[j], bits)) continue;
                 for (std::uint32_t i = 0; i < j; ++i) {
-                    if (places_[i] == kNone || !link_.may_wait(track, places_[j], places_[i])) continue;
+                    if (!link_.may_wait(track, places_[j], places_[i])) continue;
                     const std::uint32_t edge = link_.edge(places_[i], places_[j]);
                     if (edge != kNone) link_.mark_edge(track, edge, at);
                 }
@@ -169,14 +180,13 @@ void NuComplex::mark_link(const LandmarkLists& lists, std::span<const ListEntry>
             const std::uint32_t for_triangles = triangles.empty() ? 0 : reach(3);
             for (std::uint32_t j = 2; j < for_triangles; ++j) {
                 for (std::uint32_t i = 1; i < j; ++i) {
-                    if (places_[i] == kNone || places_[j] == kNone) continue;
                     const std::uint32_t edge = link_.edge(places_[i], places_[j]);
                     if (edge == kNone) continue;
                     for (std::uint32_t h = 0; h < i; ++h) {
-                        const std::uint32_t triangle = places_[h] == kNone ? kNone : link_.triangle(edge, places_[h]);
+                        const std::uint32_t triangle = link_.triangle(edge, places_[h]);
                         if (triangle == kNone) continue;
                         std::uint32_t& first = triangles[triangle].first_witness[track];
-                        if (first == kNone) first = at;
+                        first = std::min(first, at);
                     }
                 }
             }

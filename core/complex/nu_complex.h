@@ -33,6 +33,9 @@ public:
     void insert(Step step, const LandmarkLists& lists, std::span<const ListEntry> entries, const Delaunay& delaunay,
                 const DelaunayChange& change, std::vector<SimplexTable>& tables);
 
+    /// Asks for the entries of a cell that the insertion will touch.
+    void expect(CellId cell) const { faces_.expect(cell); }
+
     /// Deaths of the last step by (track, dimension, tuple).
     std::span<const Death> deaths() const { return deaths_; }
     /// Where the simplices lie in D(L).
@@ -94,7 +97,7 @@ private:
     DelaunayFaces faces_;
     std::vector<LinkTable> candidates_;  // without D(L), one a dimension
     std::vector<Death> deaths_;
-    std::vector<std::uint32_t> order_, places_;  // scratch
+    std::vector<std::uint32_t> order_, places_, reach_;  // scratch
 };
 
 }  // namespace plateau

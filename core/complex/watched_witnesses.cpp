@@ -1,6 +1,27 @@
 #include "complex/watched_witnesses.h"
 
+#include <algorithm>
+
 namespace plateau {
+
+namespace {
+
+constexpr std::size_t kFour = 4;
+using Four = Step __attribute__((vector_size(kFour * sizeof(Step))));
+
+// Whether all four are in the list. Without branches: what a list holds cannot be foreseen.
+bool holds_all(std::span<const Step> list, const Four& vertices) {
+    Four found{};
+    for (const Step landmark : list) found |= reinterpret_cast<Four>(vertices == landmark);
+    return (found[0] & found[1] & found[2] & found[3]) != 0;
+}
+
+bool holds_all(std::span<const Step> list, std::span<const Step> vertices) {
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](Step vertex) { return std::find(list.begin(), list.end(), vertex) != list.end(); });
+}
+
+}  // namespace
 
 WatchedWitnesses::WatchedWitnesses(std::size_t track_count, std::size_t dimension_count, std::uint32_t witness_count)
     : watches_(track_count, std::vector<std::vector<Watch>>(dimension_count)),
@@ -24,16 +45,14 @@ void WatchedWitnesses::watch(int track, int k, SimplexIndex simplex, Step birth,
 bool WatchedWitnesses::move_on(int track, int k, SimplexIndex simplex, std::span<const Step> tuple, std::uint32_t nu,
                                const LandmarkLists& lists) {
     const Step birth = tuple.back();
+    Four first{};  // vertices; a shorter tuple repeats its last
+    for (std::size_t i = 0; i < kFour; ++i) first[i] = tuple[std::min(i, tuple.size() - 1)];
+    const auto others = tuple.subspan(std::min(kFour, tuple.size()));
     const WitnessId* const entered = entered_.data() + first_entered_[birth];
     const auto size = static_cast<std::uint32_t>(first_entered_[birth + 1] - first_entered_[birth]);
     for (std::uint32_t place = watch_of(track, k)[simplex].place + 1; place < size; ++place) {
         const auto list = lists.list(entered[place]).first(nu);
-        bool witnesses = true;
-        for (std::size_t i = tuple.size(); witnesses && i-- > 0;) {
-            witnesses = false;
-            for (const Step landmark : list) witnesses = witnesses || landmark == tuple[i];
-        }
-        if (!witnesses) continue;
+        if (!holds_all(list, first) || !holds_all(list, others)) continue;
         watch(track, k, simplex, birth, place);
         return true;
     }

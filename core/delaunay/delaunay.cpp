@@ -13,6 +13,8 @@
 #include <new>
 #include <string>
 
+#include "base/prefetch.h"
+
 namespace plateau {
 
 namespace {
@@ -33,10 +35,18 @@ using CgalDelaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_
 /// Listens to the one conflict search of an insertion: the cells it is told of are those that die.
 struct ConflictListener {
     std::vector<CellId>* died;
+    const std::vector<DelaunayCell>* mirror;
 
     template <class Iterator>
     void process_cells_in_conflict(Iterator begin, Iterator end) {
-        for (; begin != end; ++begin) died->push_back((*begin)->info().id);
+        for (; begin != end; ++begin) {
+            died->push_back((*begin)->info().id);
+            prefetch(&(*mirror)[died->back()]);
+            for (int i = 0; i < 4; ++i) {
+                const CgalDelaunay::Cell_handle neighbor = (*begin)->neighbor(i);
+                if (neighbor != CgalDelaunay::Cell_handle()) prefetch(mirror->data() + neighbor->info().id);
+            }
+        }
     }
     void reinsert_vertices(CgalDelaunay::Vertex_handle) {}
     void hide_point(CgalDelaunay::Cell_handle, const CgalDelaunay::Point&) {}
@@ -52,7 +62,8 @@ struct Delaunay::Triangulation : CgalDelaunay {
     std::vector<Cell_handle> born;
 
     /// Inserts p and collects the ids of the dying cells and the handles of the new ones; true if the dimension rose.
-    bool insert_point(const Point& p, Cell_handle start, std::vector<CellId>& died) {
+    bool insert_point(const Point& p, Cell_handle start, std::vector<CellId>& died,
+                      const std::vector<DelaunayCell>& mirror) {
         Locate_type type = OUTSIDE_AFFINE_HULL;
         int li = 0;
         int lj = 0;
@@ -72,7 +83,7 @@ struct Delaunay::Triangulation : CgalDelaunay {
             located->info().id = kNoCell;  // this cell object becomes one of the two new cells
             remember(CgalDelaunay::insert(p, type, located, li, lj));
         } else {
-            ConflictListener listener{&died};
+            ConflictListener listener{&died, &mirror};
             if (dimension() == 2) {
                 remember(insert_in_conflict(p, type, located, li, lj, Conflict_tester_2(p, this), listener));
             } else {
@@ -119,7 +130,7 @@ Result<const DelaunayChange*> Delaunay::insert(std::uint32_t step, std::span<con
         Triangulation& t = *triangulation_;
         const Triangulation::Point p(point[0], point[1], ambient_dimension_ > 2 ? point[2] : 0.0);
         const auto start = step > 1 ? t.vertex_of_step[hint]->cell() : Triangulation::Cell_handle();
-        change_.dimension_rose = t.insert_point(p, start, change_.died);
+        change_.dimension_rose = t.insert_point(p, start, change_.died, cells_);
         change_.dimension = t.dimension();
         mirror_born();
     } catch (const std::bad_alloc&) {
@@ -142,6 +153,7 @@ CellId Delaunay::take_slot() {
 
 // Copies the new cells out of CGAL: nobody else sees its handles.
 void Delaunay::mirror_born() {
+    const auto newest = static_cast<std::uint32_t>(triangulation_->vertex_of_step.size() - 1);
     for (const CellId id : change_.died) cells_[id].alive = false;
     for (const auto& handle : triangulation_->born) {
         handle->info().id = take_slot();
@@ -158,6 +170,7 @@ void Delaunay::mirror_born() {
             const auto neighbor = handle->neighbor(i);
             const CellId other = neighbor->info().id;
             cell.neighbor[at] = other;
+            if (cell.vertex[at] != newest) continue;  // the neighbor is new as well
             cells_[other].neighbor[static_cast<std::size_t>(neighbor->index(handle))] = id;
         }
     }

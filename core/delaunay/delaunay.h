@@ -29,15 +29,15 @@ struct DelaunayCell {
         }
         return true;
     }
-    int index_of_vertex(std::uint32_t step) const {
-        int i = 0;
-        while (vertex[static_cast<std::size_t>(i)] != step) ++i;
-        return i;
-    }
-    int index_of_neighbor(CellId cell) const {
-        int i = 0;
-        while (neighbor[static_cast<std::size_t>(i)] != cell) ++i;
-        return i;
+    int index_of_vertex(std::uint32_t step) const { return index_in(vertex, step); }
+    int index_of_neighbor(CellId cell) const { return index_in(neighbor, cell); }
+
+private:
+    // No branches: which of the four it is cannot be foreseen.
+    static int index_in(const std::array<std::uint32_t, 4>& values, std::uint32_t value) {
+        const int in_second_half = values[0] != value && values[1] != value ? 1 : 0;
+        const auto first = static_cast<std::size_t>(2 * in_second_half);
+        return 2 * in_second_half + (values[first] != value ? 1 : 0);
     }
 };
 

@@ -22,6 +22,12 @@ public:
     void update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
                 const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces);
 
+    /// Asks for what is known of the cell.
+    void expect(CellId cell) const {
+        if (cell >= flags_.size()) return;
+        prefetch(&flags_[cell]);
+        components_.expect(cell + 1);
+    }
     std::uint32_t count() const { return components_.count(); }
     std::uint64_t memory() const { return flags_.capacity() + components_.memory(); }
 

@@ -24,6 +24,8 @@ public:
     void update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
                 const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces);
 
+    /// Asks for what is known of the cell.
+    void expect(CellId cell) const { complement_.expect(cell); }
     /// beta_0, beta_1, beta_2 after the last step.
     std::array<std::uint32_t, 3> numbers() const;
     std::uint64_t memory() const { return skeleton_.memory() + complement_.memory(); }

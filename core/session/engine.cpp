@@ -53,6 +53,7 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
         auto inserted = delaunay_->insert(step, cloud_->point(input_index), nearest);
         if (!inserted) return inserted.error();
         change = inserted.value();
+        expect(*change);
     }
     const auto entries = lists_.insert(input_index, step);
     timeline_.landmarks.push_back(input_index);
@@ -78,6 +79,21 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
     record_numbers();
     timeline_.step_count = step;
     return std::nullopt;
+}
+
+// Asks the memory for what the insertion will touch, while the lists are at work.
+void Engine::expect(const DelaunayChange& change) const {
+    const auto expect_cell = [&](CellId cell) {
+        complex_.expect(cell);
+        if (embedded_) embedded_->expect(cell);
+        if (surface_) surface_->expect(cell);
+    };
+    for (const CellId id : change.died) expect_cell(id);
+    const Step step = timeline_.step_count + 1;
+    for (const CellId id : change.born) {
+        const DelaunayCell& cell = delaunay_->cell(id);
+        expect_cell(cell.neighbor[static_cast<std::size_t>(cell.index_of_vertex(step))]);
+    }
 }
 
 void Engine::record_deaths() {

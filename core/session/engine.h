@@ -54,6 +54,7 @@ public:
     std::uint64_t memory() const;
 
 private:
+    void expect(const DelaunayChange& change) const;
     void record_deaths();
     void record_numbers();
     void extend_hash(Step step);

@@ -19,6 +19,12 @@ public:
     void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces,
                 const Peeling& peeling, bool all);
 
+    /// Asks for what is known of the cell.
+    void expect(CellId cell) const {
+        if (cell >= cells_.size()) return;
+        prefetch(&cells_[cell]);
+        components_.expect(cell + 1);
+    }
     bool outer(CellId cell) const { return cells_[cell].outer; }
     /// Cells that were there before the last step and changed sides.
     std::span<const CellId> flipped() const { return flipped_; }

@@ -14,12 +14,8 @@ void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const N
     first_.resize(context.edges.size(), kEnd);
     blunt_.resize(context.edges.size(), {kNoSimplex, kNoSimplex});
     const std::size_t count = context.triangles.size();
-    round_.resize(count, kForever);
-    present_.resize(count, 0);
+    states_.resize(count);
     next_.resize(3 * count, kEnd);
-    was_kept_.resize(count, 0);
-    touched_at_.resize(count, 0);
-    in_doubt_.resize(count, 0);
 
     // Births first, while what dies is still there: else every insertion would tear a hole, peel the surface from its
     // rim and put it back. The order does not matter to K.
@@ -32,12 +28,12 @@ void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const N
 
     std::vector<SimplexIndex> edges;
     for (const Death& death : deaths) {
-        if (death.track != 0 || death.dimension != 2 || present_[death.simplex] == 0) continue;
+        if (death.track != 0 || death.dimension != 2 || !states_[death.simplex].present) continue;
         if (kept(death.simplex)) {
             for (const SimplexIndex edge : complex.facets(2, death.simplex)) edges.push_back(edge);
         }
         touch(death.simplex);
-        present_[death.simplex] = 0;
+        states_[death.simplex].present = false;
     }
     peel(edges, context);
     report_changes();
@@ -52,29 +48,25 @@ bool Peeling::ratio_allowed(SimplexIndex triangle, const Context& context) const
 
 // Whether all triangles at the edge, of this round and later, fit in a wedge of at most pi/2. None or one do.
 bool Peeling::sharp(SimplexIndex edge, Round from, const Context& context) {
-    const auto counts = [&](SimplexIndex triangle) { return present_[triangle] != 0 && round_[triangle] >= from; };
+    const auto counts = [&](SimplexIndex triangle) {
+        return states_[triangle].present && states_[triangle].round >= from;
+    };
     auto& blunt = blunt_[edge];
     if (blunt[0] != kNoSimplex && counts(blunt[0]) && counts(blunt[1])) return false;
 
-    links_.clear();
-    std::uint32_t* link = &first_[edge];
-    while (*link != kEnd) {
-        const SimplexIndex triangle = *link / 3;
-        if (present_[triangle] == 0) {
-            *link = next_[*link];
-            continue;
-        }
-        if (counts(triangle)) links_.push_back(*link);
-        link = &next_[*link];
-    }
+    candidates_.clear();
+    for_each_at(edge, [&](SimplexIndex triangle, std::uint32_t corner) {
+        if (counts(triangle)) candidates_.push_back({triangle, context.triangles.tuple(triangle)[corner]});
+    });
+    if (candidates_.size() < 2) return true;
     const auto ends = context.edges.tuple(edge);
     const auto u = context.points[ends[0]];
     const auto v = context.points[ends[1]];
-    const auto third = [&](std::uint32_t at) { return context.points[context.triangles.tuple(at / 3)[at % 3]]; };
-    for (std::size_t i = 0; i < links_.size(); ++i) {
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        const auto third = context.points[candidates_[i].third];
         for (std::size_t j = 0; j < i; ++j) {
-            if (sign_of_wedge(u, v, third(links_[i]), third(links_[j])) >= 0) continue;
-            blunt = {links_[i] / 3, links_[j] / 3};
+            if (sign_of_wedge(u, v, third, context.points[candidates_[j].third]) >= 0) continue;
+            blunt = {candidates_[i].triangle, candidates_[j].triangle};
             return false;
         }
     }
@@ -89,12 +81,12 @@ void Peeling::peel(std::vector<SimplexIndex>& edges, const Context& context) {
         edges.pop_back();
         if (!sharp(edge, kForever, context)) continue;
         ++last_round_;
-        for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
-            const SimplexIndex triangle = link / 3;
-            if (!kept(triangle)) continue;
+        for_each_at(edge, [&](SimplexIndex triangle, std::uint32_t corner) {
+            if (!kept(triangle)) return;
             set_round(triangle, last_round_);
+            states_[triangle].certificate = static_cast<std::uint8_t>(corner);
             for (const SimplexIndex other : context.complex.facets(2, triangle)) edges.push_back(other);
-        }
+        });
     }
 }
 
@@ -103,7 +95,7 @@ void Peeling::admit(std::span<const SimplexIndex> born, const Context& context) 
     ++admission_;
     for (const SimplexIndex triangle : born) {
         touch(triangle);
-        present_[triangle] = 1;
+        states_[triangle].present = true;
         const auto edges = context.complex.facets(2, triangle);
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t link = 3 * triangle + corner;
@@ -111,71 +103,82 @@ void Peeling::admit(std::span<const SimplexIndex> born, const Context& context) 
             first_[edges[corner]] = link;
         }
     }
-    Queue queue;
-    for (const SimplexIndex triangle : born) doubt(triangle, kBeforeAll, queue, context);
-    for (const SimplexIndex triangle : born) pass({kBeforeAll, Event::Pass, triangle}, queue, context);
-    while (!queue.empty()) {
-        const Event event = queue.top();
-        queue.pop();
-        if (round_[event.triangle] != event.round) continue;
+    for (const SimplexIndex triangle : born) doubt(triangle, kBeforeAll, context);
+    for (const SimplexIndex triangle : born) {
+        for (const SimplexIndex edge : context.complex.facets(2, triangle)) pass(edge, kBeforeAll, context);
+    }
+    while (!queue_.empty()) {
+        std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+        const Event event = queue_.back();
+        queue_.pop_back();
+        if (states_[event.triangle].round != event.round) continue;
         if (event.phase == Event::Check) {
-            check(event, queue, context);
+            check(event, context);
         } else {
-            pass(event, queue, context);
+            for (const SimplexIndex edge : context.complex.facets(2, event.triangle)) pass(edge, event.round, context);
         }
     }
+}
+
+void Peeling::push(const Event& event) {
+    queue_.push_back(event);
+    std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
 }
 
 // Takes the triangle as kept until a certificate is found; those of its neighbors from that round on may count it now.
-void Peeling::doubt(SimplexIndex triangle, Round from, Queue& queue, const Context& context) {
+void Peeling::doubt(SimplexIndex triangle, Round from, const Context& context) {
     set_round(triangle, kForever);
-    in_doubt_[triangle] = admission_;
+    states_[triangle].in_doubt = admission_;
     for (const SimplexIndex edge : context.complex.facets(2, triangle)) {
-        for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
-            const SimplexIndex neighbor = link / 3;
-            const bool concerned = present_[neighbor] != 0 && round_[neighbor] != kForever && round_[neighbor] >= from;
-            if (concerned) queue.push({round_[neighbor], Event::Check, neighbor});
-        }
+        for_each_at(edge, [&](SimplexIndex at, std::uint32_t) {
+            State& neighbor = states_[at];
+            if (neighbor.round == kForever || neighbor.round < from) return;
+            // Once is enough: what is certified anew has counted all that can still come into doubt.
+            if (neighbor.asked == admission_) return;
+            neighbor.asked = admission_;
+            push({neighbor.round, Event::Check, at});
+        });
     }
 }
 
-void Peeling::check(const Event& event, Queue& queue, const Context& context) {
-    for (const SimplexIndex edge : context.complex.facets(2, event.triangle)) {
-        if (!sharp(edge, event.round, context)) continue;
-        queue.push({event.round, Event::Pass, event.triangle});
+void Peeling::check(const Event& event, const Context& context) {
+    State& state = states_[event.triangle];
+    const auto edges = context.complex.facets(2, event.triangle);
+    for (std::uint32_t tried = 0; tried < 3; ++tried) {
+        const std::uint32_t corner = (state.certificate + tried) % 3;
+        if (!sharp(edges[corner], event.round, context)) continue;
+        state.certificate = static_cast<std::uint8_t>(corner);
+        push({event.round, Event::Pass, event.triangle});
         return;
     }
-    doubt(event.triangle, event.round, queue, context);
+    doubt(event.triangle, event.round, context);
 }
 
-// The triangle is gone after its round: edges that it leaves may certify what is in doubt.
-void Peeling::pass(const Event& event, Queue& queue, const Context& context) {
-    const Round later = event.round + 1;
-    for (const SimplexIndex edge : context.complex.facets(2, event.triangle)) {
-        bool doubtful = false;
-        for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
-            doubtful = doubtful || (kept(link / 3) && in_doubt_[link / 3] == admission_);
-        }
-        if (!doubtful || !sharp(edge, later, context)) continue;
-        for (std::uint32_t link = first_[edge]; link != kEnd; link = next_[link]) {
-            const SimplexIndex neighbor = link / 3;
-            if (!kept(neighbor) || in_doubt_[neighbor] != admission_) continue;
-            set_round(neighbor, later);
-            queue.push({later, Event::Pass, neighbor});
-        }
-    }
+// What is gone after this round has left the edge: that may certify what is in doubt.
+void Peeling::pass(SimplexIndex edge, Round round, const Context& context) {
+    const Round later = round + 1;
+    bool any = false;
+    for_each_at(edge, [&](SimplexIndex neighbor, std::uint32_t) { any = any || doubtful(neighbor); });
+    if (!any || !sharp(edge, later, context)) return;
+    for_each_at(edge, [&](SimplexIndex neighbor, std::uint32_t corner) {
+        if (!doubtful(neighbor)) return;
+        set_round(neighbor, later);
+        states_[neighbor].certificate = static_cast<std::uint8_t>(corner);
+        push({later, Event::Pass, neighbor});
+    });
 }
 
 void Peeling::touch(SimplexIndex triangle) {
-    if (touched_at_[triangle] == now_) return;
-    touched_at_[triangle] = now_;
-    was_kept_[triangle] = kept(triangle) ? 1 : 0;
+    State& state = states_[triangle];
+    if (state.touched == now_) return;
+    state.touched = now_;
+    state.was_kept = kept(triangle);
     touched_.push_back(triangle);
 }
 
 void Peeling::set_round(SimplexIndex triangle, Round round) {
     touch(triangle);
-    round_[triangle] = round;
+    states_[triangle].round = round;
     if (round != kForever) last_round_ = std::max(last_round_, round);
 }
 
@@ -183,14 +186,14 @@ void Peeling::report_changes() {
     entered_.clear();
     left_.clear();
     for (const SimplexIndex triangle : touched_) {
-        if (kept(triangle) && was_kept_[triangle] == 0) entered_.push_back(triangle);
-        if (!kept(triangle) && was_kept_[triangle] != 0) left_.push_back(triangle);
+        const bool was = states_[triangle].was_kept;
+        if (kept(triangle) && !was) entered_.push_back(triangle);
+        if (!kept(triangle) && was) left_.push_back(triangle);
     }
 }
 
 std::uint64_t Peeling::memory() const {
-    return blunt_.capacity() * sizeof(blunt_[0]) +
-           round_.capacity() * (sizeof(Round) + 2 + sizeof(Step) + sizeof(std::uint32_t)) +
+    return blunt_.capacity() * sizeof(blunt_[0]) + states_.capacity() * sizeof(State) +
            (first_.capacity() + next_.capacity()) * sizeof(std::uint32_t);
 }
 

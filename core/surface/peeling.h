@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <queue>
 #include <span>
 #include <vector>
 
@@ -32,12 +31,12 @@ public:
                 std::span<const Death> deaths, const LandmarkPoints& points, bool all);
 
     bool kept(SimplexIndex triangle) const {
-        return triangle < round_.size() && present_[triangle] != 0 && round_[triangle] == kForever;
+        return triangle < states_.size() && states_[triangle].present && states_[triangle].round == kForever;
     }
     /// Whether it was in K before the last step.
     bool was_kept(SimplexIndex triangle) const {
-        const bool touched = triangle < round_.size() && touched_at_[triangle] == now_;
-        return touched ? was_kept_[triangle] != 0 : kept(triangle);
+        const bool touched = triangle < states_.size() && states_[triangle].touched == now_;
+        return touched ? states_[triangle].was_kept : kept(triangle);
     }
     /// Triangles that entered or left K at the last step, net.
     std::span<const SimplexIndex> entered() const { return entered_; }
@@ -56,8 +55,18 @@ public:
 private:
     using Round = std::int64_t;
     static constexpr Round kForever = std::numeric_limits<Round>::max();
-    static constexpr Round kBeforeAll = std::numeric_limits<Round>::min();
+    static constexpr Round kBeforeAll = std::numeric_limits<Round>::min() / 4;
     static constexpr std::uint32_t kEnd = 0xFFFFFFFFu;
+    /// Of a triangle.
+    struct State {
+        Round round = kForever;
+        std::uint32_t in_doubt = 0;    ///< the admission that doubts it
+        std::uint32_t asked = 0;       ///< the admission that asked for a check
+        Step touched = 0;              ///< the step that may have changed it last
+        bool was_kept = false;         ///< before that step
+        bool present = false;          ///< lives and is allowed
+        std::uint8_t certificate = 0;  ///< corner opposite the edge that was sharp
+    };
     struct Context {
         const SimplexTable& edges;
         const SimplexTable& triangles;
@@ -70,39 +79,57 @@ private:
         enum Phase : std::uint8_t { Check, Pass } phase = Check;
         SimplexIndex triangle = 0;
         bool operator>(const Event& other) const {
-            if (round != other.round) return round > other.round;
-            return phase != other.phase ? phase > other.phase : triangle > other.triangle;
+            const Round mine = 2 * round + phase;
+            const Round others = 2 * other.round + other.phase;
+            return mine != others ? mine > others : triangle > other.triangle;
         }
     };
-    using Queue = std::priority_queue<Event, std::vector<Event>, std::greater<>>;
 
     bool ratio_allowed(SimplexIndex triangle, const Context& context) const;
     void peel(std::vector<SimplexIndex>& edges, const Context& context);
     void admit(std::span<const SimplexIndex> born, const Context& context);
-    void doubt(SimplexIndex triangle, Round from, Queue& queue, const Context& context);
-    void check(const Event& event, Queue& queue, const Context& context);
-    void pass(const Event& event, Queue& queue, const Context& context);
+    void push(const Event& event);
+    void doubt(SimplexIndex triangle, Round from, const Context& context);
+    void check(const Event& event, const Context& context);
+    void pass(SimplexIndex edge, Round round, const Context& context);
     bool sharp(SimplexIndex edge, Round from, const Context& context);
+    bool doubtful(SimplexIndex triangle) const {
+        const State& state = states_[triangle];
+        return state.in_doubt == admission_ && state.round == kForever && state.present;
+    }
+    /// Calls use(triangle, corner) for the triangles at the edge that are present; forgets the others.
+    template <class Use>
+    void for_each_at(SimplexIndex edge, const Use& use) {
+        std::uint32_t* link = &first_[edge];
+        while (*link != kEnd) {
+            if (states_[*link / 3].present) {
+                use(*link / 3, *link % 3);
+                link = &next_[*link];
+            } else {
+                *link = next_[*link];
+            }
+        }
+    }
     void set_round(SimplexIndex triangle, Round round);
     void touch(SimplexIndex triangle);
     void report_changes();
 
     double rho_;
-    std::vector<Round> round_;           // by triangle
-    std::vector<std::uint8_t> present_;  // by triangle: lives and is allowed
-    std::vector<std::uint32_t> first_;   // by edge: list of links, link = 3 * triangle + corner off the edge
-    std::vector<std::uint32_t> next_;    // by link
+    std::vector<State> states_;         // by triangle
+    std::vector<std::uint32_t> first_;  // by edge: list of links, link = 3 * triangle + corner off the edge
+    std::vector<std::uint32_t> next_;   // by link
     std::vector<std::array<SimplexIndex, 2>> blunt_;  // by edge: two triangles that last kept it from being sharp
     Round last_round_ = 0;                            // the largest finite one
     std::vector<SimplexIndex> entered_, left_;
-
-    std::vector<std::uint8_t> was_kept_;   // by triangle, for those touched at this step
-    std::vector<Step> touched_at_;         // by triangle
-    std::vector<std::uint32_t> in_doubt_;  // by triangle: number of the admission that doubts it
     std::vector<SimplexIndex> touched_;
     Step now_ = 0;
     std::uint32_t admission_ = 0;
-    std::vector<std::uint32_t> links_;  // scratch of sharp()
+    std::vector<Event> queue_;  // a heap, the next event on top
+    struct Candidate {
+        SimplexIndex triangle;
+        Step third;  // the vertex off the edge
+    };
+    std::vector<Candidate> candidates_;  // scratch of sharp()
 };
 
 }  // namespace plateau

@@ -35,6 +35,9 @@ public:
     void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const NuComplex& complex,
                 std::span<const Death> deaths, const LandmarkPoints& points, Timeline& timeline);
 
+    /// Asks for what is known of the cell.
+    void expect(CellId cell) const { region_.expect(cell); }
+
     /// Rows that the last step appended are those from this index on.
     std::span<const std::uint32_t> ended_rows() const { return ended_; }
     std::span<const GlueChange> glue_changes() const { return glue_changes_; }
