@@ -36,7 +36,10 @@ describe('distances instead of points', () => {
     });
     expect(answer.coordinates).toHaveLength(0);
     expect(answer.stepsAffordable).toBe(4);
-    expect(frameOf(answer.coordinates, answer.dimension).count).toBe(0);
+    const { projection } = answer;
+    if (!projection) throw new Error('nothing to draw');
+    expect(projection.shares).toHaveLength(projection.axes);
+    expect(frameOf(answer.points, projection)).toMatchObject({ count: 4, axes: projection.axes });
     run.delete();
 
     const finished = finishedRun(module, matrix, { metric: 'matrix' });
@@ -117,7 +120,11 @@ describe('options of a run', () => {
     const run = new module.Run({ ...source, anyDimension: true } as never, {});
     const answer = opened(run);
     expect(answer).toMatchObject({ points: 4, dimension: 4, bettiCount: 4, family: 'witness' });
-    expect(frameOf(answer.coordinates, answer.dimension)).toMatchObject({ count: 4 });
+    const { projection } = answer;
+    if (!projection) throw new Error('nothing to draw');
+    // Four points span three dimensions.
+    expect(frameOf(answer.points, projection)).toMatchObject({ count: 4, axes: 3 });
+    expect(projection.shares.reduce((sum, share) => sum + share, 0)).toBeCloseTo(1);
     run.delete();
   });
 });
