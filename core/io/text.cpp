@@ -18,7 +18,7 @@ bool is_digit(char c) {
 
 /// The number of a plain field whose digits and whose power of ten are both exact in double: one product or quotient of
 /// them is rounded once, so correctly [Clinger, How to read floating point numbers accurately, 1990]. Nothing where
-/// that is not so. Ten times as fast as strtod in a module, where large tables are felt.
+/// that is not so. In a module strtod takes ten times as long or more, which large tables feel.
 std::optional<double> parse_plain(std::string_view field) {
     constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
