@@ -64,7 +64,7 @@ class LargeLink : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(LargeLink, BearsExactlyWhatHasWitnesses) {
     const PointCloud cloud = shell_and_middle(GetParam());
-    Engine engine(cloud, {Family::Delaunay, {{1, 6, 6, 4}}, 0, 2});
+    Engine engine(cloud, {.family = Family::Delaunay, .metric = {}, .dimension = 3, .nu = {{1, 6, 6, 4}}});
     Delaunay delaunay(3);
     engine.prepare(Deadline(1e300));
     const DelaunayChange* change = nullptr;
