@@ -321,7 +321,7 @@ const KEYS: Readonly<
   '?': { press: '?', single: true, seen: 'help' },
 };
 /** These show in the chooser of the browser and in the picture, and have tests of their own. */
-const ELSEWHERE = ['O', 'F', '+', '−', '↑', '↓'];
+const ELSEWHERE = ['O', 'F', 'D', '+', '−', '↑', '↓'];
 
 async function seen(page: Page, what: string): Promise<string> {
   return page.evaluate((key) => {

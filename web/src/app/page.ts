@@ -365,7 +365,7 @@ export class Page {
   private feedFailed(error: unknown): void {
     if (this.record) {
       this.record.state = 'stopped';
-      this.showRunState(this.record);
+      this.grown();
     }
     this.showError(error);
   }
