@@ -37,14 +37,20 @@ void CycleSpace::update(Step step, const std::vector<SimplexTable>& tables, cons
     forget();
 }
 
-std::uint32_t CycleSpace::row(SimplexIndex facet, const Around& around) {
-    if (row_of_[facet] != kNone) return row_of_[facet];
-    Row row{facet};
+// Calls use(simplex) for those that have the facet, stay, and are not in the ball.
+template <class Use>
+void CycleSpace::for_each_unseen(SimplexIndex facet, const Around& around, const Use& use) const {
     around.complex.for_each_coface(k_ - 1, facet, [&](SimplexIndex simplex) {
         const bool stays =
             around.simplices.birth(simplex) < around.step && around.simplices.death[0][simplex] == kNever;
-        if (stays && column_of_[simplex] == kNone) ++row.unseen;
+        if (stays && column_of_[simplex] == kNone) use(simplex);
     });
+}
+
+std::uint32_t CycleSpace::row(SimplexIndex facet, const Around& around) {
+    if (row_of_[facet] != kNone) return row_of_[facet];
+    Row row{facet};
+    for_each_unseen(facet, around, [&](SimplexIndex) { ++row.unseen; });
     row_of_[facet] = static_cast<std::uint32_t>(rows_.size());
     rows_.push_back(row);
     return row_of_[facet];
@@ -67,7 +73,7 @@ void CycleSpace::add(SimplexIndex simplex, Kind kind, const Around& around) {
 void CycleSpace::set_aside_alone(const Around& around) {
     lonely_.clear();
     for (std::uint32_t i = 0; i < rows_.size(); ++i) {
-        if (rows_[i].columns == 1 && rows_[i].unseen == 0) lonely_.push_back(i);
+        if (rows_[i].lonely()) lonely_.push_back(i);
     }
     while (!lonely_.empty()) {
         const Row row = rows_[lonely_.back()];
@@ -82,7 +88,7 @@ void CycleSpace::set_aside_alone(const Around& around) {
             const std::uint32_t index = row_of_[facet];
             --rows_[index].columns;
             rows_[index].mixed ^= row.mixed;
-            if (rows_[index].columns == 1 && rows_[index].unseen == 0) lonely_.push_back(index);
+            if (rows_[index].lonely()) lonely_.push_back(index);
         }
     }
 }
@@ -134,11 +140,7 @@ void CycleSpace::grow(const Around& around) {
     const std::size_t enough = std::max(kFirstBall, 2 * columns_.size());
     for (std::size_t i = 0; i < rows_.size() && columns_.size() < enough; ++i) {
         if (rows_[i].unseen == 0 || rows_[i].columns == 0) continue;
-        around.complex.for_each_coface(k_ - 1, rows_[i].facet, [&](SimplexIndex simplex) {
-            const bool stays =
-                around.simplices.birth(simplex) < around.step && around.simplices.death[0][simplex] == kNever;
-            if (stays && column_of_[simplex] == kNone) add(simplex, Kind::Stays, around);
-        });
+        for_each_unseen(rows_[i].facet, around, [&](SimplexIndex simplex) { add(simplex, Kind::Stays, around); });
     }
 }
 

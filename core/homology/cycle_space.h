@@ -43,6 +43,9 @@ private:
         std::uint32_t unseen = 0;   // simplices that have it, stay, and are not in the ball
         std::uint32_t columns = 0;  // that have it and are not found alone
         std::uint32_t mixed = 0;    // their indices by exclusive or
+
+        /// One column has it, and no other simplex ever will.
+        bool lonely() const { return columns == 1 && unseen == 0; }
     };
     struct Around {
         Step step;
@@ -50,6 +53,8 @@ private:
         const NuComplex& complex;
     };
 
+    template <class Use>
+    void for_each_unseen(SimplexIndex facet, const Around& around, const Use& use) const;
     std::uint32_t row(SimplexIndex facet, const Around& around);
     void add(SimplexIndex simplex, Kind kind, const Around& around);
     void set_aside_alone(const Around& around);

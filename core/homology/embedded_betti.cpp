@@ -4,17 +4,7 @@ namespace plateau {
 
 void EmbeddedBetti::update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
                            const Delaunay& delaunay, const DelaunayChange& change, const DelaunayFaces& faces) {
-    const auto sign = [](int dimension) { return dimension % 2 == 0 ? 1 : -1; };
-    ++euler_;  // the landmark
-    for (const Death& death : deaths) {
-        if (death.track == track_) euler_ -= sign(death.dimension);
-    }
-    for (const SimplexTable& table : tables) {
-        const auto& death = table.death[static_cast<std::size_t>(track_)];
-        for (SimplexIndex simplex = table.first_of_step[step]; simplex < table.size(); ++simplex) {
-            if (death[simplex] == kNever) euler_ += sign(table.dimension);
-        }
-    }
+    counts_.update(step, tables, deaths);
     dimension_ = change.dimension;
     skeleton_.update(step, tables[0], deaths);
     if (dimension_ == 3) complement_.update(step, tables, deaths, delaunay, change, faces);
@@ -23,7 +13,7 @@ void EmbeddedBetti::update(Step step, const std::vector<SimplexTable>& tables, s
 std::array<std::uint32_t, 3> EmbeddedBetti::numbers() const {
     const std::int64_t beta0 = skeleton_.count();
     const std::int64_t beta2 = dimension_ == 3 ? std::int64_t{complement_.count()} - 1 : 0;
-    return {static_cast<std::uint32_t>(beta0), static_cast<std::uint32_t>(beta0 + beta2 - euler_),
+    return {static_cast<std::uint32_t>(beta0), static_cast<std::uint32_t>(beta0 + beta2 - counts_.euler()),
             static_cast<std::uint32_t>(beta2)};
 }
 

@@ -9,6 +9,7 @@
 #include "complex/simplex_table.h"
 #include "delaunay/delaunay.h"
 #include "homology/complement_components.h"
+#include "homology/simplex_counts.h"
 #include "homology/skeleton_components.h"
 
 namespace plateau {
@@ -18,7 +19,7 @@ namespace plateau {
 /// (Alexander duality), and beta_1 follows from the Euler characteristic. While D(L) is flat beta_2 is 0.
 class EmbeddedBetti {
 public:
-    explicit EmbeddedBetti(int track) : track_(track), skeleton_(track), complement_(track) {}
+    explicit EmbeddedBetti(int track) : counts_(track, 3), skeleton_(track), complement_(track) {}
 
     /// Follows one insertion, after the complex has followed it. `deaths` of this step.
     void update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
@@ -31,9 +32,8 @@ public:
     std::uint64_t memory() const { return skeleton_.memory() + complement_.memory(); }
 
 private:
-    int track_;
     int dimension_ = 0;  // of D(L)
-    std::int64_t euler_ = 0;
+    SimplexCounts counts_;
     SkeletonComponents skeleton_;
     ComplementComponents complement_;
 };

@@ -2,28 +2,18 @@
 
 namespace plateau {
 
-GeneralBetti::GeneralBetti(int count, std::uint32_t prime)
-    : skeleton_(0), simplices_(static_cast<std::size_t>(count) + 1, 0) {
+GeneralBetti::GeneralBetti(int count, std::uint32_t prime) : skeleton_(0), simplices_(0, count) {
     for (int k = 2; k <= count; ++k) cycles_.emplace_back(k, prime);
 }
 
 void GeneralBetti::update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex) {
-    ++simplices_[0];  // the landmark
-    for (const Death& death : complex.deaths()) {
-        if (death.track == 0) --simplices_[death.dimension];
-    }
-    for (std::size_t k = 1; k < simplices_.size(); ++k) {
-        const SimplexTable& table = tables[k - 1];
-        for (SimplexIndex simplex = table.first_of_step[step]; simplex < table.size(); ++simplex) {
-            if (table.death[0][simplex] == kNever) ++simplices_[k];
-        }
-    }
+    simplices_.update(step, tables, complex.deaths());
     skeleton_.update(step, tables.front(), complex.deaths());
     for (CycleSpace& cycles : cycles_) cycles.update(step, tables, complex);
 }
 
 std::vector<std::uint32_t> GeneralBetti::numbers() const {
-    const std::size_t count = simplices_.size() - 1;
+    const auto count = static_cast<std::size_t>(simplices_.max_dimension());
     std::vector<std::uint32_t> numbers;
     std::uint32_t boundaries_below = 0;  // dim B_(k-1)
     for (std::size_t k = 0; k < count; ++k) {

@@ -6,6 +6,7 @@
 #include "complex/nu_complex.h"
 #include "complex/simplex_table.h"
 #include "homology/cycle_space.h"
+#include "homology/simplex_counts.h"
 #include "homology/skeleton_components.h"
 
 namespace plateau {
@@ -26,8 +27,8 @@ public:
 
 private:
     SkeletonComponents skeleton_;
-    std::vector<std::uint32_t> simplices_;  // that live, by dimension, from 0
-    std::vector<CycleSpace> cycles_;        // of dimension 2, 3, ...
+    SimplexCounts simplices_;
+    std::vector<CycleSpace> cycles_;  // of dimension 2, 3, ...
 };
 
 }  // namespace plateau

@@ -23,6 +23,23 @@ PointCloud uniform(std::uint32_t dimension, std::uint32_t size) {
     return cloud;
 }
 
+/// Uniform in the unit ball, without its middle.
+PointCloud ball(std::uint32_t dimension, std::uint32_t size, std::uint64_t seed) {
+    Random random(seed);
+    PointCloud cloud{dimension, {}};
+    while (cloud.size() < size) {
+        std::vector<double> point;
+        double norm_squared = 0;
+        for (std::uint32_t axis = 0; axis < dimension; ++axis) {
+            point.push_back(2 * random.next_unit() - 1);
+            norm_squared += point.back() * point.back();
+        }
+        if (norm_squared > 1 || norm_squared < 0.01) continue;
+        cloud.coordinates.insert(cloud.coordinates.end(), point.begin(), point.end());
+    }
+    return cloud;
+}
+
 PointCloud matrix_of(std::uint32_t size) {
     PointCloud cloud;
     cloud.distances.size = size;
@@ -220,19 +237,8 @@ TEST(Shapes, AFlatTorusShowsInItsBoxAndNotInThePlane) {
 }
 
 TEST(Shapes, TheProjectivePlaneHasTorsion) {
-    Random random(4);
-    PointCloud cloud{3, {}};
-    while (cloud.size() < 2000) {
-        std::vector<double> point;
-        double norm_squared = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            point.push_back(2 * random.next_unit() - 1);
-            norm_squared += point.back() * point.back();
-        }
-        // Lines through a ball: every direction as often, at any length.
-        if (norm_squared > 1 || norm_squared < 0.01) continue;
-        cloud.coordinates.insert(cloud.coordinates.end(), point.begin(), point.end());
-    }
+    // Lines through a ball: every direction as often, at any length.
+    const PointCloud cloud = ball(3, 2000, 4);
     RunOptions options = by(Metric::Projective);
     options.nu = {1, 4, 5, 5};
     options.max_steps = 90;
@@ -265,17 +271,11 @@ TEST(Shapes, ASwissRollUnrollsAlongItself) {
 }
 
 TEST(Shapes, AThreeSphereInFourDimensions) {
-    Random random(3);
-    PointCloud cloud{4, {}};
-    while (cloud.size() < 2500) {
-        std::vector<double> point;
+    PointCloud cloud = ball(4, 2500, 3);
+    for (std::uint32_t i = 0; i < cloud.size(); ++i) {
         double norm_squared = 0;
-        for (int axis = 0; axis < 4; ++axis) {
-            point.push_back(2 * random.next_unit() - 1);
-            norm_squared += point.back() * point.back();
-        }
-        if (norm_squared > 1 || norm_squared < 0.01) continue;
-        for (const double coordinate : point) cloud.coordinates.push_back(coordinate / std::sqrt(norm_squared));
+        for (const double coordinate : cloud.point(i)) norm_squared += coordinate * coordinate;
+        for (std::uint32_t axis = 0; axis < 4; ++axis) cloud.coordinates[4 * i + axis] /= std::sqrt(norm_squared);
     }
     RunOptions options;
     options.nu = {1, 6, 8, 8, 8};

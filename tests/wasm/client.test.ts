@@ -3,31 +3,10 @@ import { PlateauClient } from '../../web/src/client/plateau-client.ts';
 import type { PlateauError } from '../../web/src/client/plateau-error.ts';
 import { WORKER_FAILED } from '../../web/src/client/plateau-error.ts';
 import type { WorkerLike } from '../../web/src/client/worker-link.ts';
-import type { Opened, WorkerEvent, WorkerRequest } from '../../web/src/worker/protocol.ts';
+import type { WorkerEvent, WorkerRequest } from '../../web/src/worker/protocol.ts';
+import { openedWith } from '../web/model/fixtures.ts';
 
-const OPENED: Opened = {
-  points: 10,
-  dimension: 3,
-  bettiCount: 3,
-  metric: 'euclidean',
-  coordinates: new Float64Array(30),
-  family: 'auto',
-  nu: [1, 6, 6, 4],
-  stepsPlanned: 10,
-  estimatedBytes: 1,
-  memoryLimitBytes: 2,
-  stepsAffordable: 10,
-  frame: {
-    scale: 1,
-    count: 10,
-    axes: 3,
-    shares: [],
-    positions: new Float32Array(),
-    beyond: new Float32Array(),
-    outline: new Float32Array(),
-  },
-  warnings: [],
-};
+const OPENED = openedWith();
 
 /** A worker that answers only what the test wants. */
 class FakeWorker implements WorkerLike {

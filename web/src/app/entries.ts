@@ -17,12 +17,26 @@ export function wholeFrom(least: number, input: HTMLInputElement, name: string):
   return value;
 }
 
-/** "1, 0.5" as numbers from 0 on. */
-export function numberList(text: string, name: string): readonly number[] {
-  const numbers = text
+/** What stands between commas, semicolons or blanks. */
+function numbersIn(text: string): readonly number[] {
+  return text
     .split(/[\s,;]+/)
     .filter((entry) => entry !== '')
     .map(Number);
+}
+
+/** "1, 6, 6, 4" as numbers; a sentence where it is no list of whole numbers from `least` on. */
+export function parseList(text: string, least: number, name: string): readonly number[] {
+  const numbers = numbersIn(text);
+  if (numbers.some((value) => !Number.isInteger(value) || value < least)) {
+    throw new Error(`${name} takes whole numbers from ${least} on, separated by commas.`);
+  }
+  return numbers;
+}
+
+/** "1, 0.5" as numbers from 0 on. */
+export function numberList(text: string, name: string): readonly number[] {
+  const numbers = numbersIn(text);
   if (numbers.some((value) => !Number.isFinite(value) || value < 0)) {
     throw new Error(`${name} takes numbers from 0 on, separated by commas.`);
   }

@@ -6,6 +6,7 @@ import './sheets.css';
 import './phone.css';
 import { diagramSvg } from '../view/diagram-svg.ts';
 import { byId } from './dom.ts';
+import { parseList } from './entries.ts';
 import { acceptDrops } from './file-drop.ts';
 import { Gallery } from './gallery.ts';
 import { closeSheets, HelpSheet } from './help-sheet.ts';
@@ -15,7 +16,7 @@ import { workOffline } from './offline.ts';
 import { acceptPastes } from './paste.ts';
 import { SAMPLES, type Sample } from './samples.ts';
 import { saveFile } from './save-file.ts';
-import { fileStem, parseList, sourceName, startFrom } from './source.ts';
+import { fileStem, sourceName, startFrom } from './source.ts';
 import { explainTerms } from './term-tips.ts';
 
 const page = new Page();

@@ -1,8 +1,8 @@
 import type { Opened, RunOptions } from '../worker/protocol.ts';
 import { byId } from './dom.ts';
-import { positive, wholeFrom } from './entries.ts';
+import { parseList, positive, wholeFrom } from './entries.ts';
 import { MetricSettings } from './metric-settings.ts';
-import { isFamily, parseList, type SourceChoice } from './source.ts';
+import { isFamily, type SourceChoice } from './source.ts';
 
 /** What a form of settings asks for. */
 export interface Asked {

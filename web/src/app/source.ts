@@ -66,16 +66,6 @@ async function bunnySource({ size, noise = 0 }: { size: number; noise?: number }
   return { kind: 'file', name: 'bunny.xyz', bytes: new TextEncoder().encode(bunnyText(size, noise)).buffer };
 }
 
-/** "1, 6, 6, 4" as numbers; a sentence where it is no list of whole numbers from `least` on. */
-export function parseList(text: string, least: number, name: string): readonly number[] {
-  const entries = text.split(/[\s,;]+/).filter((entry) => entry !== '');
-  const numbers = entries.map(Number);
-  if (numbers.some((value) => !Number.isInteger(value) || value < least)) {
-    throw new Error(`${name} takes whole numbers from ${least} on, separated by commas.`);
-  }
-  return numbers;
-}
-
 const FAMILIES: readonly string[] = ['witness', 'delaunay', 'surface', 'auto'] satisfies readonly Family[];
 
 export function isFamily(text: string): text is Family {
