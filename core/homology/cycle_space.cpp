@@ -11,29 +11,31 @@ constexpr std::size_t kFirstBall = 16;  // columns
 
 }  // namespace
 
+CycleSpace::CycleSpace(int k, std::span<const std::uint32_t> primes) : k_(k), fields_(primes.begin(), primes.end()) {}
+
 void CycleSpace::update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex) {
     const SimplexTable& simplices = tables[static_cast<std::size_t>(k_ - 1)];
     const Around around{step, simplices, complex};
     row_of_.resize(tables[static_cast<std::size_t>(k_ - 2)].size(), kNone);
     column_of_.resize(simplices.size(), kNone);
 
+    std::int64_t more = 0;  // simplices
     for (const Death& death : complex.deaths()) {
         if (death.track != 0 || death.dimension != k_) continue;
         add(death.simplex, Kind::Goes, around);
-        --dimension_;
+        --more;
     }
     for (SimplexIndex simplex = simplices.first_of_step[step]; simplex < simplices.size(); ++simplex) {
         if (simplices.death[0][simplex] != kNever) continue;
         add(simplex, Kind::Comes, around);
-        ++dimension_;
+        ++more;
     }
-    rank_change_ = 0;
     for (;;) {
         set_aside_alone(around);
-        if (changing_ == 0 || bounds_meet(around)) break;
+        if (changing_ == 0 || all_settled(around)) break;
         grow(around);
     }
-    dimension_ -= rank_change_;
+    for (Field& field : fields_) field.dimension += more - field.rank_change.value_or(alone_);
     forget();
 }
 
@@ -82,8 +84,8 @@ void CycleSpace::set_aside_alone(const Around& around) {
         Column& column = columns_[row.mixed];
         column.alone = true;
         if (column.kind != Kind::Stays) --changing_;
-        if (column.kind == Kind::Comes) ++rank_change_;
-        if (column.kind == Kind::Goes) --rank_change_;
+        if (column.kind == Kind::Comes) ++alone_;
+        if (column.kind == Kind::Goes) --alone_;
         for (const SimplexIndex facet : around.complex.facets(k_, column.simplex)) {
             const std::uint32_t index = row_of_[facet];
             --rows_[index].columns;
@@ -93,10 +95,8 @@ void CycleSpace::set_aside_alone(const Around& around) {
     }
 }
 
-// rank(V + A) - rank(V + R) = rank(A mod V + R) - rank(R mod V + A), each between what it is without the facets that
-// lead out of the ball and what it is with them. Those facets are the last rows, so that a column leads with one only
-// if it has no other.
-bool CycleSpace::bounds_meet(const Around& around) {
+// The facets that lead out of the ball are the last rows, so that a column leads with one only if it has no other.
+bool CycleSpace::all_settled(const Around& around) {
     place_.resize(rows_.size());
     std::uint32_t inside = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -106,6 +106,18 @@ bool CycleSpace::bounds_meet(const Around& around) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (rows_[i].unseen != 0) place_[i] = all++;
     }
+    bool settled = true;
+    for (Field& field : fields_) {
+        if (!field.rank_change) field.rank_change = settled_change(field, inside, around);
+        settled = settled && field.rank_change;
+    }
+    return settled;
+}
+
+// rank(V + A) - rank(V + R) = rank(A mod V + R) - rank(R mod V + A), each between what it is without the facets that
+// lead out of the ball and what it is with them. None while the bounds differ.
+std::optional<std::int64_t> CycleSpace::settled_change(Field& field, std::uint32_t inside, const Around& around) {
+    Echelon& echelon = field.echelon;
     struct Ranks {
         std::int64_t upper = 0, lower = 0;
     };
@@ -113,26 +125,25 @@ bool CycleSpace::bounds_meet(const Around& around) {
         Ranks ranks;
         for (const Column& column : columns_) {
             if (column.kind != kind || column.alone) continue;
-            const std::uint32_t lead = echelon_.insert(boundary(column, around));
+            const std::uint32_t lead = echelon.insert(boundary(column, field.prime, around));
             if (lead != Echelon::kNoRow) ++ranks.upper;
             if (lead < inside) ++ranks.lower;
         }
         return ranks;
     };
-    echelon_.reset(all);
+    echelon.reset(static_cast<std::uint32_t>(rows_.size()));
     put_in(Kind::Stays);
-    const std::uint32_t staying = echelon_.rank();
+    const std::uint32_t staying = echelon.rank();
     const Ranks gone = put_in(Kind::Goes);
     const Ranks come_after = put_in(Kind::Comes);
-    echelon_.shrink_to(staying);
+    echelon.shrink_to(staying);
     const Ranks come = put_in(Kind::Comes);
-    if (come_after.upper != come_after.lower) return false;
+    if (come_after.upper != come_after.lower) return std::nullopt;
     // rank(R mod V + A) = rank(R mod V) + rank(A mod V + R) - rank(A mod V)
     const std::int64_t gone_after_upper = gone.upper + come_after.upper - come.upper;
     const std::int64_t gone_after_lower = gone.lower + come_after.lower - come.lower;
-    if (gone_after_upper != gone_after_lower) return false;
-    rank_change_ += come_after.upper - gone_after_upper;
-    return true;
+    if (gone_after_upper != gone_after_lower) return std::nullopt;
+    return alone_ + come_after.upper - gone_after_upper;
 }
 
 // Doubles the ball, facet by facet, from what is not set aside.
@@ -144,12 +155,12 @@ void CycleSpace::grow(const Around& around) {
     }
 }
 
-Echelon::Column CycleSpace::boundary(const Column& column, const Around& around) const {
+Echelon::Column CycleSpace::boundary(const Column& column, std::uint32_t prime, const Around& around) const {
     Echelon::Column boundary;
     std::uint32_t sign = 1;
     for (const SimplexIndex facet : around.complex.facets(k_, column.simplex)) {
         boundary.push_back({place_[row_of_[facet]], sign});
-        sign = prime_ - sign;
+        sign = prime - sign;
     }
     std::sort(boundary.begin(), boundary.end(),
               [](const Echelon::Entry& a, const Echelon::Entry& b) { return a.row < b.row; });
@@ -161,6 +172,8 @@ void CycleSpace::forget() {
     for (const Column& column : columns_) column_of_[column.simplex] = kNone;
     rows_.clear();
     columns_.clear();
+    for (Field& field : fields_) field.rank_change.reset();
+    alone_ = 0;
     changing_ = 0;
 }
 

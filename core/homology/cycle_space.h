@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,8 +11,8 @@
 
 namespace plateau {
 
-/// The dimension of Z_k, the space of k-cycles over Z/p, of track 0 of a complex that need not be embedded, after every
-/// step, k >= 2.
+/// The dimension of Z_k, the space of k-cycles over Z/p for one or several primes p, of track 0 of a complex that need
+/// not be embedded, after every step, k >= 2.
 ///
 /// Let V be spanned by the boundaries of the k-simplices that stay at a step, R by those that go, A by those that come.
 /// The dimension changes by the number of simplices less rank(V + A) - rank(V + R), and that is found near the new
@@ -19,15 +20,17 @@ namespace plateau {
 /// from both sides: from above, as it is a part of V, and from below, when facets that simplices beyond the ball may
 /// have are ignored. What comes stands in for what goes: mostly both have the same boundary, and the empty ball is
 /// enough. Else the ball doubles until the bounds meet. A simplex that alone has some facet is in no cycle and leaves
-/// the search, with what it led to; so a nearby hole ends it.
+/// the search, with what it led to; so a nearby hole ends it. Boundaries have no coefficients but 1 and -1, so all that
+/// is alike for every prime; only ranks within the ball are taken prime by prime.
 class CycleSpace {
 public:
-    CycleSpace(int k, std::uint32_t prime) : k_(k), prime_(prime), echelon_(prime) {}
+    CycleSpace(int k, std::span<const std::uint32_t> primes);
 
     /// Follows one insertion, after the complex has followed it.
     void update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex);
 
-    std::uint32_t dimension() const { return static_cast<std::uint32_t>(dimension_); }
+    /// Over the prime of this 0-based index.
+    std::uint32_t dimension(std::size_t field) const { return static_cast<std::uint32_t>(fields_[field].dimension); }
     std::uint64_t memory() const { return (row_of_.capacity() + column_of_.capacity()) * sizeof(std::uint32_t); }
 
 private:
@@ -47,6 +50,14 @@ private:
         /// One column has it, and no other simplex ever will.
         bool lonely() const { return columns == 1 && unseen == 0; }
     };
+    struct Field {
+        std::uint32_t prime;
+        Echelon echelon;
+        std::int64_t dimension = 0;
+        std::optional<std::int64_t> rank_change = std::nullopt;  // rank(V + A) - rank(V + R) of the step, once known
+
+        explicit Field(std::uint32_t p) : prime(p), echelon(p) {}
+    };
     struct Around {
         Step step;
         const SimplexTable& simplices;
@@ -58,22 +69,21 @@ private:
     std::uint32_t row(SimplexIndex facet, const Around& around);
     void add(SimplexIndex simplex, Kind kind, const Around& around);
     void set_aside_alone(const Around& around);
-    bool bounds_meet(const Around& around);
+    bool all_settled(const Around& around);
+    std::optional<std::int64_t> settled_change(Field& field, std::uint32_t inside, const Around& around);
     void grow(const Around& around);
-    Echelon::Column boundary(const Column& column, const Around& around) const;
+    Echelon::Column boundary(const Column& column, std::uint32_t prime, const Around& around) const;
     void forget();
 
     int k_;
-    std::uint32_t prime_;
-    std::int64_t dimension_ = 0;
-    std::int64_t rank_change_ = 0;          // rank(V + A) - rank(V + R) of the step, as far as it is known
+    std::vector<Field> fields_;
+    std::int64_t alone_ = 0;                // the part of the rank's change that is found alone, over every prime
     std::vector<std::uint32_t> row_of_;     // facet -> row, or kNone
     std::vector<std::uint32_t> column_of_;  // simplex -> column, or kNone
     std::vector<Row> rows_;
     std::vector<Column> columns_;
     std::uint32_t changing_ = 0;                 // columns that go or come and are not found alone
     std::vector<std::uint32_t> lonely_, place_;  // scratch
-    Echelon echelon_;
 };
 
 }  // namespace plateau

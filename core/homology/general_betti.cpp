@@ -2,8 +2,8 @@
 
 namespace plateau {
 
-GeneralBetti::GeneralBetti(int count, std::uint32_t prime) : skeleton_(0), simplices_(0, count) {
-    for (int k = 2; k <= count; ++k) cycles_.emplace_back(k, prime);
+GeneralBetti::GeneralBetti(int count, std::span<const std::uint32_t> primes) : skeleton_(0), simplices_(0, count) {
+    for (int k = 2; k <= count; ++k) cycles_.emplace_back(k, primes);
 }
 
 void GeneralBetti::update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex) {
@@ -12,14 +12,14 @@ void GeneralBetti::update(Step step, const std::vector<SimplexTable>& tables, co
     for (CycleSpace& cycles : cycles_) cycles.update(step, tables, complex);
 }
 
-std::vector<std::uint32_t> GeneralBetti::numbers() const {
+std::vector<std::uint32_t> GeneralBetti::numbers(std::size_t field) const {
     const auto count = static_cast<std::size_t>(simplices_.max_dimension());
     std::vector<std::uint32_t> numbers;
     std::uint32_t boundaries_below = 0;  // dim B_(k-1)
     for (std::size_t k = 0; k < count; ++k) {
         const std::uint32_t cycles = simplices_[k] - boundaries_below;
         const std::uint32_t boundaries =
-            k == 0 ? simplices_[0] - skeleton_.count() : simplices_[k + 1] - cycles_[k - 1].dimension();
+            k == 0 ? simplices_[0] - skeleton_.count() : simplices_[k + 1] - cycles_[k - 1].dimension(field);
         numbers.push_back(cycles - boundaries);
         boundaries_below = boundaries;
     }

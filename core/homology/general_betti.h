@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "complex/nu_complex.h"
@@ -11,18 +12,19 @@
 
 namespace plateau {
 
-/// Betti numbers over Z/p of track 0 of a complex that need not be embedded, at every step, from the numbers of its
-/// simplices and of its cycles: beta_k = dim Z_k - dim B_k, where dim B_k = (number of (k+1)-simplices) - dim Z_(k+1).
-/// Z_0 holds all landmarks, and dim B_0 = landmarks - components.
+/// Betti numbers over Z/p, for one or several primes p, of track 0 of a complex that need not be embedded, at every
+/// step, from the numbers of its simplices and of its cycles: beta_k = dim Z_k - dim B_k, where dim B_k = (number of
+/// (k+1)-simplices) - dim Z_(k+1). Z_0 holds all landmarks, and dim B_0 = landmarks - components.
 class GeneralBetti {
 public:
-    /// beta_0 .. beta_{count-1}, of simplices up to dimension `count`; `prime` at most 46337.
-    GeneralBetti(int count, std::uint32_t prime);
+    /// beta_0 .. beta_{count-1}, of simplices up to dimension `count`; every prime at most 46337.
+    GeneralBetti(int count, std::span<const std::uint32_t> primes);
 
     /// Follows one insertion, after the complex has followed it.
     void update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex);
 
-    std::vector<std::uint32_t> numbers() const;
+    /// Over the prime of this 0-based index.
+    std::vector<std::uint32_t> numbers(std::size_t field) const;
     std::uint64_t memory() const;
 
 private:

@@ -33,6 +33,12 @@ std::string joined(std::span<const std::uint32_t> numbers, std::string_view sepa
     return text;
 }
 
+std::string in_words(const Plateau& plateau, std::uint32_t other_field) {
+    const std::string numbers = "(" + joined(plateau.betti, ", ") + ")";
+    if (plateau.torsion.empty()) return numbers;
+    return numbers + ", torsion: (" + joined(plateau.torsion, ", ") + ") over Z/" + std::to_string(other_field);
+}
+
 /// The parts of a PLY file.
 struct Mesh {
     std::vector<Step> vertex_landmark;
@@ -108,7 +114,12 @@ std::string plateaus_json(const Session& session) {
                 ",\"epsilon_last\":" + exact(plateau.epsilon_last) + ",\"betti\":[" + joined(plateau.betti, ",") +
                 "],\"family\":\"";
         text += family_name(plateau.family);
-        text += "\",\"length\":" + exact(plateau.length()) + "}";
+        text += "\",\"length\":" + exact(plateau.length());
+        if (!plateau.torsion.empty()) {
+            text += ",\"torsion\":{\"field\":" + std::to_string(session.timeline().other_field) + ",\"betti\":[" +
+                    joined(plateau.torsion, ",") + "]}";
+        }
+        text += "}";
         separator = ",\n";
     }
     return text + "\n]}\n";
@@ -165,6 +176,7 @@ std::string cloud_xyz(const PointCloud& cloud, std::uint32_t first, std::uint32_
 }
 
 std::string plateau_table(const Session& session) {
+    const Timeline& timeline = session.timeline();
     constexpr std::size_t kMostRows = 20;
     const std::vector<Plateau> plateaus = session.plateaus();
     const std::vector<std::uint32_t> order = ranked(plateaus);
@@ -172,7 +184,9 @@ std::string plateau_table(const Session& session) {
     if (shown == 0) return "No plateau: no step has a complex.\n";
     constexpr std::size_t kColumns = 6;
     using Row = std::array<std::string, kColumns>;
-    std::vector<Row> rows = {{"length", "epsilon", "1/epsilon", "steps", "family", "Betti numbers"}};
+    const std::uint32_t field = session.options().field;
+    const std::string over = field == 2 ? "" : " over Z/" + std::to_string(field);
+    std::vector<Row> rows = {{"length", "epsilon", "1/epsilon", "steps", "family", "Betti numbers" + over}};
     for (std::size_t k = 0; k < shown; ++k) {
         const Plateau& plateau = plateaus[order[k]];
         const auto range = [](const std::string& from, const std::string& to) { return from + " to " + to; };
@@ -181,7 +195,7 @@ std::string plateau_table(const Session& session) {
                         range(three_digits(plateau.epsilon_first), three_digits(plateau.epsilon_last)),
                         range(inverse(plateau.epsilon_first), inverse(plateau.epsilon_last)),
                         range(std::to_string(plateau.first_step), std::to_string(plateau.last_step)),
-                        std::string(family_name(plateau.family)), "(" + joined(plateau.betti, ", ") + ")"});
+                        std::string(family_name(plateau.family)), in_words(plateau, timeline.other_field)});
     }
     std::array<std::size_t, kColumns> widths{};
     for (const Row& row : rows) {

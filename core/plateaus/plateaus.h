@@ -16,6 +16,9 @@ struct Plateau {
     double ratio = 1;          ///< epsilon+(first) / epsilon+(last+1) >= 1; ranked by this
     Family family = Family::Delaunay;
     std::vector<std::uint32_t> betti;
+    /// Torsion: the Betti numbers over Z/Timeline::other_field that last longest within the plateau (of equal ones the
+    /// first), where they differ from `betti`; else empty.
+    std::vector<std::uint32_t> torsion;
 
     /// ln(ratio): the length on a logarithmic scale axis. For print only, never for order.
     double length() const;

@@ -1,6 +1,7 @@
 #include "session/engine.h"
 
 #include <algorithm>
+#include <array>
 
 namespace plateau {
 
@@ -39,7 +40,10 @@ Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
         surface_.emplace(options.rho);
         surface_betti_.emplace();
     }
-    if (options.family == Family::Witness) general_.emplace(static_cast<int>(timeline_.dimension), options.field);
+    if (options.family == Family::Witness) {
+        timeline_.other_field = options.other_field;
+        general_.emplace(static_cast<int>(timeline_.dimension), std::array{options.field, options.other_field});
+    }
     if (options.family == Family::Delaunay) embedded_.emplace(0);
     if (options.family == Family::Auto) embedded_.emplace(1);
 }
@@ -107,8 +111,10 @@ void Engine::record_numbers() {
     const bool shows_surface =
         options_.family == Family::Surface || (surface_betti_ && surface_betti_->numbers().front() > 0);
     if (general_) {
-        const auto numbers = general_->numbers();
+        const auto numbers = general_->numbers(0);
         timeline_.betti.insert(timeline_.betti.end(), numbers.begin(), numbers.end());
+        const auto others = general_->numbers(1);
+        timeline_.other_betti.insert(timeline_.other_betti.end(), others.begin(), others.end());
     } else {
         const auto numbers = shows_surface ? surface_betti_->numbers() : embedded_->numbers();
         timeline_.betti.insert(timeline_.betti.end(), numbers.begin(), numbers.begin() + d);

@@ -27,7 +27,8 @@ struct EngineOptions {
     std::uint32_t dimension = 0;                 ///< largest dimension of a simplex
     std::vector<std::vector<std::uint32_t>> nu;  ///< one sequence a track
     double rho = 0;
-    std::uint32_t field = 2;
+    std::uint32_t field = 2;        ///< a prime; that of the Betti numbers
+    std::uint32_t other_field = 3;  ///< another one, to tell torsion
 };
 
 /// One insertion after the other, through every room: lists, D(L), complex, surface, Betti numbers, and the record of

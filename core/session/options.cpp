@@ -124,6 +124,7 @@ EngineOptions engine_options(const RunOptions& resolved, std::uint32_t dimension
     if (engine.family == Family::Auto) engine.nu.push_back(default_nu(Family::Witness, dimension));  // [GO 4.5]
     engine.rho = resolved.rho;
     engine.field = resolved.field;
+    engine.other_field = resolved.field == 2 ? 3 : 2;
     return engine;
 }
 

@@ -29,7 +29,9 @@ struct RunOptions {
     std::uint32_t max_steps = std::numeric_limits<std::uint32_t>::max();
     double until_epsilon = 0;  ///< stop after the first step with epsilon <= this, input units
     double rho = 0;            ///< surface: drop triangles with radius-edge ratio above this; 0 = off
-    std::uint32_t field = 2;   ///< a prime below 46341; matters for family witness
+    /// Family witness: a prime, at most 46337; Betti numbers over Z/field. Those over Z/2, or Z/3 where the field is 2,
+    /// are counted beside them and tell torsion.
+    std::uint32_t field = 2;
     std::uint64_t memory_limit = std::uint64_t{3} << 30;  ///< bytes the run may take; it stops when they are used up
     /// A cloud of at least this many points ends where epsilon falls to its noise, see Progress::noise. Default: never.
     std::uint32_t noise_stop_from = std::numeric_limits<std::uint32_t>::max();

@@ -49,10 +49,16 @@ struct Timeline {
 
     std::vector<Family> shown_family;  ///< [step-1]; never Auto
     std::vector<std::uint32_t> betti;  ///< `dimension` numbers a step: beta_0 .. beta_{d-1}
+    /// Complexes that are not embedded can have torsion: then the numbers over another field differ from `betti`.
+    std::uint32_t other_field = 0;           ///< a prime; 0: the complex is embedded, or numbers over it are not known
+    std::vector<std::uint32_t> other_betti;  ///< over Z/other_field, as many as `betti`; else empty
 
     double epsilon(Step step) const { return epsilons[step - 1]; }
     std::span<const std::uint32_t> betti_at(Step step) const {
         return {betti.data() + static_cast<std::size_t>(step - 1) * dimension, dimension};
+    }
+    std::span<const std::uint32_t> other_betti_at(Step step) const {
+        return {other_betti.data() + static_cast<std::size_t>(step - 1) * dimension, dimension};
     }
     const SimplexTable& table(int dim) const { return simplices[static_cast<std::size_t>(dim - 1)]; }
     /// The track that the family shown at the step belongs to.

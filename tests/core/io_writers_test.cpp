@@ -251,5 +251,42 @@ TEST(Writers, CloudTextKeepsEveryBit) {
     }
 }
 
+/// As lines through its center the points of a sphere are the projective plane.
+PointCloud lines() {
+    return sample_shape("sphere", {.size = 1500, .seed = 3}).value();
+}
+
+TEST(Writers, TorsionIsInTheTableAndInTheJson) {
+    RunOptions options;
+    options.metric.metric = Metric::Projective;
+    options.nu = {1, 4, 5, 5};
+    options.max_steps = 60;
+    const Session session = finished(lines(), options);
+    EXPECT_NE(plateau_table(session).find("(1, 1, 1), torsion: (1, 0, 0) over Z/3\n"), std::string::npos)
+        << plateau_table(session);
+    boost::property_tree::ptree tree;
+    std::istringstream stream(plateaus_json(session));
+    boost::property_tree::read_json(stream, tree);
+    const std::vector<Plateau> plateaus = session.plateaus();
+    std::size_t at = 0, with_torsion = 0;
+    for (const auto& [key, plateau] : tree.get_child("plateaus")) {
+        const auto torsion = plateau.get_child_optional("torsion");
+        ASSERT_EQ(torsion.has_value(), !plateaus[at].torsion.empty());
+        if (torsion) {
+            ++with_torsion;
+            EXPECT_EQ(torsion->get<std::uint32_t>("field"), 3u);
+            std::vector<std::uint32_t> betti;
+            for (const auto& [index, number] : torsion->get_child("betti")) {
+                betti.push_back(number.get_value<std::uint32_t>());
+            }
+            EXPECT_EQ(betti, plateaus[at].torsion);
+        }
+        ++at;
+    }
+    EXPECT_GT(with_torsion, 0u);
+    options.field = 5;
+    EXPECT_NE(plateau_table(finished(lines(), options)).find("Betti numbers over Z/5\n"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace plateau

@@ -90,5 +90,20 @@ TEST(Plateaus, MiddleIsTheFirstStepAtTheGeometricMean) {
     EXPECT_EQ(middle_step(short_one, find_plateaus(short_one)[0]), 1u);
 }
 
+TEST(Plateaus, SayWhatLastsLongestOverAnotherField) {
+    Timeline timeline = written_down({{16, kTorus}, {8, kTorus}, {4, kTorus}, {2, kSphere}, {1, kSphere}});
+    EXPECT_TRUE(find_plateaus(timeline)[0].torsion.empty());
+    timeline.other_field = 3;
+    for (const Betti& other : {kTorus, kSphere, kSphere, kTorus, kSphere}) {
+        timeline.other_betti.insert(timeline.other_betti.end(), other.begin(), other.end());
+    }
+    const auto found = find_plateaus(timeline);
+    ASSERT_EQ(found.size(), 2u);  // another field cuts nothing
+    EXPECT_EQ(found[0].torsion, kSphere);
+    EXPECT_EQ(found[1].torsion, kTorus);  // 2 to 1, and at 1 no longer
+    timeline.other_betti[3 * 2 + 1] = 2;  // as long as the first: nothing is said
+    EXPECT_TRUE(find_plateaus(timeline)[0].torsion.empty());
+}
+
 }  // namespace
 }  // namespace plateau

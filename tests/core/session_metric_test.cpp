@@ -60,17 +60,21 @@ std::string refusal(const PointCloud& cloud, const RunOptions& options) {
     return opened.error().message;
 }
 
-/// The longest plateau with these Betti numbers; 0 if there is none.
-double length_of(const PointCloud& cloud, const RunOptions& options, const Betti& betti) {
+/// The longest plateau with these Betti numbers; of length 0 if there is none.
+Plateau longest_with(const PointCloud& cloud, const RunOptions& options, const Betti& betti) {
     auto opened = Session::open(cloud, options);
     EXPECT_TRUE(opened) << opened.error().message;
     Session session = std::move(opened).value();
     session.run({});
-    double longest = 0;
+    Plateau longest;
     for (const Plateau& plateau : session.plateaus()) {
-        if (plateau.betti == betti) longest = std::max(longest, plateau.length());
+        if (plateau.betti == betti && plateau.ratio > longest.ratio) longest = plateau;
     }
     return longest;
+}
+
+double length_of(const PointCloud& cloud, const RunOptions& options, const Betti& betti) {
+    return longest_with(cloud, options, betti).length();
 }
 
 TEST(MetricOptions, WhatIsFilledIn) {
@@ -242,13 +246,17 @@ TEST(Shapes, TheProjectivePlaneHasTorsion) {
     RunOptions options = by(Metric::Projective);
     options.nu = {1, 4, 5, 5};
     options.max_steps = 90;
-    EXPECT_GT(length_of(cloud, options, {1, 1, 1}), 0.8);
+    const Plateau over_two = longest_with(cloud, options, {1, 1, 1});
+    EXPECT_GT(over_two.length(), 0.8);
+    EXPECT_EQ(over_two.torsion, (Betti{1, 0, 0}));
     options.field = 3;
     EXPECT_EQ(length_of(cloud, options, {1, 1, 1}), 0);
     EXPECT_GT(length_of(cloud, options, {1, 0, 0}), 0.8);
     // Directions instead of lines: the sphere.
     options.metric.metric = Metric::Angular;
-    EXPECT_GT(length_of(cloud, options, {1, 0, 1}), 0.8);
+    const Plateau directions = longest_with(cloud, options, {1, 0, 1});
+    EXPECT_GT(directions.length(), 0.8);
+    EXPECT_TRUE(directions.torsion.empty());
 }
 
 TEST(Shapes, ASwissRollUnrollsAlongItself) {
