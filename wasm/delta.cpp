@@ -118,6 +118,9 @@ void add_record(val& delta, const Timeline& timeline, Step done, Step end) {
     delta.set("epsilon", copied(std::span<const double>(epsilon)));
     delta.set("shownFamily", copied(std::span<const std::uint8_t>(family)));
     delta.set("betti", copied(std::span(timeline.betti).subspan(done * d, count * d)));
+    const auto others = timeline.other_betti.empty() ? std::span<const std::uint32_t>()
+                                                     : std::span(timeline.other_betti).subspan(done * d, count * d);
+    delta.set("otherBetti", copied(others));
     add_simplices(delta, timeline, 1, done, end, "edges", "edgeDeath");
     add_simplices(delta, timeline, 2, done, end, "triangles", "triangleDeath");
     delta.set("deaths", copied(std::span<const std::uint32_t>(older_deaths(timeline, done, end))));

@@ -113,6 +113,8 @@ val Run::opened_with(PointCloud cloud, const std::vector<std::string>& warnings)
     opened.set("points", points.size());
     opened.set("dimension", points.dimension);
     opened.set("bettiCount", session_->timeline().dimension);
+    opened.set("field", options.field);
+    opened.set("otherField", session_->timeline().other_field);
     opened.set("metric", std::string(metric_name(options.metric.metric)));
     opened.set("coordinates", copied(std::span<const double>(points.coordinates)));
     if (points.dimension == 0 || points.dimension > 3) opened.set("projection", projection_of(points));
@@ -185,7 +187,7 @@ val Run::plateaus() const {
     return marshal::guarded([&] {
         if (!session_) return marshal::failed(not_open());
         const std::vector<Plateau> found = session_->plateaus();
-        std::vector<std::uint32_t> first_step, last_step, middle, betti;
+        std::vector<std::uint32_t> first_step, last_step, middle, betti, torsion;
         std::vector<double> epsilon_first, epsilon_last, ratio;
         std::vector<std::uint8_t> family;
         for (const Plateau& plateau : found) {
@@ -197,6 +199,8 @@ val Run::plateaus() const {
             ratio.push_back(plateau.ratio);
             family.push_back(static_cast<std::uint8_t>(plateau.family));
             betti.insert(betti.end(), plateau.betti.begin(), plateau.betti.end());
+            torsion.insert(torsion.end(), plateau.torsion.begin(), plateau.torsion.end());
+            torsion.resize(betti.size(), 0);
         }
         const std::vector<std::uint32_t> order = ranked(found);
         val out = val::object();
@@ -208,6 +212,7 @@ val Run::plateaus() const {
         out.set("ratio", copied(std::span<const double>(ratio)));
         out.set("family", copied(std::span<const std::uint8_t>(family)));
         out.set("betti", copied(std::span<const std::uint32_t>(betti)));
+        out.set("torsion", copied(std::span<const std::uint32_t>(torsion)));
         out.set("ranked", copied(std::span<const std::uint32_t>(order)));
         return out;
     });

@@ -36,6 +36,10 @@ private:
     double last_positive_ = 0;
 };
 
+bool alike(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
 /// The last step up to `end` that follows `first` without a change of what `same(a, b)` compares.
 template <class Same>
 Step end_of_run(Step first, Step end, const Same& same) {
@@ -47,7 +51,7 @@ Step end_of_run(Step first, Step end, const Same& same) {
 std::vector<std::uint32_t> torsion_of(const Plateau& plateau, const Timeline& timeline, const PositiveScale& scale) {
     if (timeline.other_betti.empty()) return {};
     const auto same = [&](Step a, Step b) {
-        return std::ranges::equal(timeline.other_betti_at(a), timeline.other_betti_at(b));
+        return alike(timeline.other_betti_at(a), timeline.other_betti_at(b));
     };
     std::span<const std::uint32_t> longest;
     double longest_ratio = 0;
@@ -58,7 +62,7 @@ std::vector<std::uint32_t> torsion_of(const Plateau& plateau, const Timeline& ti
         longest_ratio = ratio;
         longest = timeline.other_betti_at(first);
     }
-    if (std::ranges::equal(longest, plateau.betti)) return {};
+    if (alike(longest, plateau.betti)) return {};
     return {longest.begin(), longest.end()};
 }
 
@@ -68,7 +72,7 @@ std::vector<Plateau> find_plateaus(const Timeline& timeline) {
     const PositiveScale scale(timeline);
     const auto same = [&](Step a, Step b) {
         return timeline.shown_family[a - 1] == timeline.shown_family[b - 1] &&
-               std::ranges::equal(timeline.betti_at(a), timeline.betti_at(b));
+               alike(timeline.betti_at(a), timeline.betti_at(b));
     };
     std::vector<Plateau> plateaus;
     for (Step first = 1, last = 0; first <= timeline.step_count; first = last + 1) {

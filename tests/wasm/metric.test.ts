@@ -2,6 +2,8 @@ import { beforeAll, describe, expect, test } from 'vitest';
 import type { PlateauModule } from 'plateau-module';
 import type { RunOptions } from '../../web/src/worker/protocol.ts';
 import { frameOf } from '../../web/src/worker/frame.ts';
+import { RunRecord } from '../../web/src/model/record.ts';
+import { openedWith } from '../web/model/fixtures.ts';
 import { allDeltas, expected, file, finishedRun, loadModule, opened, sample } from './module.ts';
 
 let module: PlateauModule;
@@ -81,6 +83,27 @@ describe('options of a run', () => {
       of({ family: 'witness', maxDimension: 1 }),
     ];
     expect(new Set(hashes).size).toBe(hashes.length);
+  });
+
+  test('show torsion where another field counts otherwise', () => {
+    // As lines through its center the points of a sphere are the projective plane.
+    const options: RunOptions = { metric: 'projective', nu: [1, 4, 5, 5], maxSteps: 60 };
+    const run = new module.Run(sample('sphere', 1500), options);
+    expect(opened(run)).toMatchObject({ field: 2, otherField: 3 });
+    expected(run.run(Infinity, 60));
+    const { betti, torsion } = expected(run.plateaus());
+    const shown = Array.from({ length: betti.length / 3 }, (_, i) =>
+      [betti, torsion].map((numbers) => numbers.subarray(3 * i, 3 * i + 3).join()).join(' | '),
+    );
+    expect(shown).toContain('1,1,1 | 1,0,0');
+    expect(shown).toContain('1,0,0 | 0,0,0');
+    const record = new RunRecord(openedWith({ bettiCount: 3, otherField: 3, family: 'witness' }));
+    for (const delta of allDeltas(run, 1e6)) record.append(delta);
+    const steps = Array.from({ length: record.stepCount }, (_, i) => record.summary(i + 1));
+    const turned = steps.find((step) => step.betti.join() === '1,1,1');
+    expect(turned?.torsion).toEqual({ field: 3, betti: [1, 0, 0] });
+    expect(steps[0]?.torsion).toBeUndefined();
+    run.delete();
   });
 
   test('may leave no triangles', () => {

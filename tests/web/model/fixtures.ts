@@ -8,6 +8,8 @@ export function openedWith(parts: Partial<Opened> = {}): Opened {
     points: 10,
     dimension: 3,
     bettiCount: 3,
+    field: 2,
+    otherField: 0,
     metric: 'euclidean',
     coordinates: new Float64Array(30),
     family: 'auto',
@@ -46,6 +48,7 @@ export function deltaOf(firstStep: number, epsilon: readonly number[], parts: Pa
     epsilon: Float64Array.from(epsilon),
     shownFamily: new Uint8Array(count).fill(1),
     betti: Uint32Array.from({ length: 3 * count }, (_, i) => (i % 3 === 0 ? 1 : 0)),
+    otherBetti: none,
     edges: none,
     edgeDeath: [none, none],
     triangles: none,
@@ -76,6 +79,7 @@ export interface PlainPlateau {
   readonly ratio: number;
   readonly family: number;
   readonly betti: readonly number[];
+  readonly torsion?: readonly number[];
 }
 
 export function plateausOf(list: readonly PlainPlateau[]): Plateaus {
@@ -88,6 +92,7 @@ export function plateausOf(list: readonly PlainPlateau[]): Plateaus {
     ratio: Float64Array.from(list, ({ ratio }) => ratio),
     family: Uint8Array.from(list, ({ family }) => family),
     betti: Uint32Array.from(list.flatMap(({ betti }) => betti)),
+    torsion: Uint32Array.from(list.flatMap(({ betti, torsion }) => torsion ?? betti.map(() => 0))),
     ranked: Uint32Array.from(list.map((_, i) => i)),
   };
 }

@@ -70,7 +70,7 @@ test('dust comes last, and says that it is dust', () => {
     { steps: [900, 5000], epsilon: [1e-3, 1e-5], ratio: 100, family: 1, betti: [1700, 0, 0] },
     { steps: [30, 50], epsilon: [1, 0.6], ratio: 1.8, family: 2, betti: [2, 2, 2] },
   ]);
-  const [shape, dust] = new CardStack(3).ranked(plateaus);
+  const [shape, dust] = new CardStack({ bettiCount: 3, otherField: 0 }).ranked(plateaus);
   expect([shape?.firstStep, dust?.firstStep]).toEqual([30, 900]);
   expect(shape && cardWords(shape).note).toBeUndefined();
   expect(dust && cardWords(dust).note).toBe('at most 2 landmarks a piece: too few to trust');
@@ -86,5 +86,7 @@ test('cards of few landmarks come last, however long', () => {
     { steps: [30, 50], epsilon: [1, 0.6], ratio: 1.8, family: 2, betti: [1, 2, 1] },
     { steps: [60, 90], epsilon: [0.5, 0.2], ratio: 2.6, family: 1, betti: [1, 1, 0] },
   ]);
-  expect(new CardStack(3).ranked(plateaus).map(({ firstStep }) => firstStep)).toEqual([60, 30, 1]);
+  expect(
+    new CardStack({ bettiCount: 3, otherField: 0 }).ranked(plateaus).map(({ firstStep }) => firstStep),
+  ).toEqual([60, 30, 1]);
 });

@@ -4,6 +4,8 @@ import { cardWords, CardStack } from '../../../web/src/model/plateau-cards.ts';
 import { bettiInWords, shapeInWords } from '../../../web/src/model/words.ts';
 import { plateausOf } from './fixtures.ts';
 
+const EMBEDDED = { bettiCount: 3, otherField: 0 };
+
 describe('words', () => {
   test.each([
     ['surface', [1, 0, 1], 'sphere-like closed surface'],
@@ -25,6 +27,14 @@ describe('words', () => {
     ['witness', [1, 0, 2], 'hollow shape with 2 voids'],
   ] as const)('%s %j', (family, betti, words) => {
     expect(shapeInWords(family, betti)).toBe(words);
+  });
+
+  test('name the two shapes whose torsion is well known', () => {
+    const projectivePlane = 'projective-plane-like shape';
+    expect(shapeInWords('witness', [1, 1, 1], [1, 0, 0])).toBe(projectivePlane);
+    expect(shapeInWords('witness', [1, 0, 0, 0], [1, 1, 1, 0])).toBe(projectivePlane);
+    expect(shapeInWords('witness', [1, 2, 1], [1, 1, 0])).toBe('Klein-bottle-like shape');
+    expect(shapeInWords('witness', [1, 3, 1], [1, 2, 0])).toBe('hollow shape with 1 void');
   });
 
   test('say where a plateau means little', () => {
@@ -72,7 +82,7 @@ describe('cards', () => {
       { steps: [51, 52], epsilon: [0.5, 0.495], ratio: 1.01, ...odd },
       { steps: [53, 90], epsilon: [0.495, 0.1], ratio: 4.95, ...torus },
     ]);
-    const cards = new CardStack(3).joined(plateaus);
+    const cards = new CardStack(EMBEDDED).joined(plateaus);
     expect(cards).toHaveLength(1);
     expect(cards[0]).toMatchObject({ firstStep: 10, lastStep: 90, runs: 2, middleStep: 71 });
     expect(cards[0]?.length).toBeCloseTo(Math.log(10), 10);
@@ -90,13 +100,13 @@ describe('cards', () => {
       { steps: [51, 80], epsilon: [0.5, 0.3], ratio: 1.7, ...odd },
       { steps: [81, 90], epsilon: [0.294, 0.1], ratio: 3, ...torus },
     ]);
-    expect(new CardStack(3).joined(plateaus)).toHaveLength(3);
-    expect(new CardStack(3).ranked(plateaus).map(({ firstStep }) => firstStep)).toEqual([81, 10, 51]);
+    expect(new CardStack(EMBEDDED).joined(plateaus)).toHaveLength(3);
+    expect(new CardStack(EMBEDDED).ranked(plateaus).map(({ firstStep }) => firstStep)).toEqual([81, 10, 51]);
   });
 
   test('leave out what is too short to mean anything', () => {
     const plateaus = plateausOf([{ steps: [1, 2], epsilon: [1, 1], ratio: 1.02, ...odd }]);
-    expect(new CardStack(3).ranked(plateaus)).toEqual([]);
+    expect(new CardStack(EMBEDDED).ranked(plateaus)).toEqual([]);
   });
 
   test('are the same for a run that grows as for all of it at once', () => {
@@ -109,11 +119,11 @@ describe('cards', () => {
       family: 1 + (random(9) === 0 ? 1 : 0),
       betti: [1, random(3) === 0 ? random(3) : 1, 0],
     }));
-    const growing = new CardStack(3);
+    const growing = new CardStack(EMBEDDED);
     for (let count = 1; count <= list.length; count += 1 + random(7)) {
       const soFar = plateausOf(list.slice(0, count));
       // The last one can still become longer, or be joined otherwise than it looks now.
-      expect(growing.joined(soFar)).toEqual(new CardStack(3).joined(soFar));
+      expect(growing.joined(soFar)).toEqual(new CardStack(EMBEDDED).joined(soFar));
     }
     expect(growing.joined(plateausOf(list)).some(({ runs }) => runs > 3)).toBe(true);
   });

@@ -75,7 +75,7 @@ function nameOf({ family, betti, firstStep }: PlateauCard): string {
 }
 
 function write({ card, button }: Item): void {
-  const { shape, counts, scale, family, note } = cardWords(card);
+  const { shape, counts, scale, family, torsion, note } = cardWords(card);
   button.dataset['family'] = card.family;
   button.dataset['betti'] = card.betti.join(',');
   button.dataset['first'] = String(card.firstStep);
@@ -91,6 +91,7 @@ function write({ card, button }: Item): void {
     line('card-shape', shape),
     line('for-readers', ': '),
     line('card-counts', counts),
+    ...(torsion ? [line('for-readers', ' · '), line('card-torsion', torsion)] : []),
     line('for-readers', ' · '),
     line('card-scale', `${scale} · ${family}`),
     ...(note ? [line('for-readers', ' · '), line('card-note', note)] : []),

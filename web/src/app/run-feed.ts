@@ -28,7 +28,7 @@ export class RunFeed {
     private readonly listener: FeedListener,
   ) {
     this.record = new RunRecord(run.opened);
-    this.cards = new CardStack(this.record.bettiCount);
+    this.cards = new CardStack(this.record);
   }
 
   start(): void {

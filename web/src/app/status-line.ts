@@ -1,13 +1,14 @@
 import { grouped, readable } from '../model/numbers.ts';
 import type { RunRecord, StepSummary } from '../model/record.ts';
-import { bettiInNumbers } from '../model/words.ts';
+import { bettiInNumbers, torsionInNumbers } from '../model/words.ts';
 
 const SPOKEN_EVERY_MS = 1_000;
 
 function sentence(record: RunRecord, at: StepSummary | undefined): string {
   const step = `step ${grouped(at?.step ?? 0)} of ${grouped(record.stepsPlanned)}`;
   if (!at) return `${step} · ε – · β –`;
-  return `${step} · ε ${readable(at.epsilon)} · ${bettiInNumbers(at.betti)} · ${at.family}`;
+  const torsion = at.torsion ? ` · ${torsionInNumbers(at.torsion)}` : '';
+  return `${step} · ε ${readable(at.epsilon)} · ${bettiInNumbers(at.betti)}${torsion} · ${at.family}`;
 }
 
 /**

@@ -1,7 +1,7 @@
 import type { Plateaus, ShownFamily } from '../worker/protocol.ts';
 import { counted } from './numbers.ts';
-import { bettiInWords, scaleInWords, shapeInWords } from './words.ts';
-import { shownFamilyName } from './record.ts';
+import { bettiInWords, scaleInWords, shapeInWords, torsionInNumbers } from './words.ts';
+import { shownFamilyName, type Torsion } from './record.ts';
 
 /** Equal runs that a gap of at most this share of their joint length separates are one card. */
 const JOIN_GAP = 0.05;
@@ -22,6 +22,7 @@ export interface PlateauCard {
   readonly length: number;
   readonly family: ShownFamily;
   readonly betti: readonly number[];
+  readonly torsion?: Torsion;
   /** 1, or the number of runs that were joined. */
   readonly runs: number;
 }
@@ -40,7 +41,19 @@ interface Stacked {
   readonly alikeBelow: number;
 }
 
-function runAt(plateaus: Plateaus, i: number, dimension: number, before: Run | undefined): Run {
+/** What there is to know of the numbers themselves. */
+export interface BettiKind {
+  /** Betti numbers a step. */
+  readonly bettiCount: number;
+  /** The prime of those that tell torsion; 0: there is none. */
+  readonly otherField: number;
+}
+
+function runAt(plateaus: Plateaus, i: number, kind: BettiKind, before: Run | undefined): Run {
+  const ofPlateau = (numbers: Uint32Array): number[] => [
+    ...numbers.subarray(i * kind.bettiCount, (i + 1) * kind.bettiCount),
+  ];
+  const other = ofPlateau(plateaus.torsion);
   const epsilonFirst = plateaus.epsilonFirst[i] ?? 0;
   const length = Math.log(plateaus.ratio[i] ?? 1);
   const start = epsilonFirst > 0 ? -Math.log(epsilonFirst) : (before?.end ?? 0);
@@ -51,7 +64,8 @@ function runAt(plateaus: Plateaus, i: number, dimension: number, before: Run | u
     epsilonFirst,
     length,
     family: shownFamilyName(plateaus.family[i] ?? 1),
-    betti: [...plateaus.betti.subarray(i * dimension, (i + 1) * dimension)],
+    betti: ofPlateau(plateaus.betti),
+    ...(other[0] ? { torsion: { field: kind.otherField, betti: other } } : {}),
     runs: 1,
   };
   return { card, start, end: start + length };
@@ -61,9 +75,10 @@ function runAt(plateaus: Plateaus, i: number, dimension: number, before: Run | u
 function joined(a: Run, b: Run): Run {
   const longer = b.card.length > a.card.length ? b.card : a.card;
   const card: PlateauCard = {
-    ...a.card,
+    ...longer,
+    firstStep: a.card.firstStep,
+    epsilonFirst: a.card.epsilonFirst,
     lastStep: b.card.lastStep,
-    middleStep: longer.middleStep,
     length: b.end - a.start,
     runs: a.card.runs + b.card.runs,
   };
@@ -82,20 +97,20 @@ export class CardStack {
   private settled = 0;
   private before: Run | undefined;
 
-  constructor(private readonly dimension: number) {}
+  constructor(private readonly kind: BettiKind) {}
 
   /** In the order of steps. `plateaus`: all so far; those before the last are as they were at the last call. */
   joined(plateaus: Plateaus): PlateauCard[] {
     const count = plateaus.firstStep.length;
     for (; this.settled + 1 < count; ++this.settled) {
-      const run = runAt(plateaus, this.settled, this.dimension, this.before);
+      const run = runAt(plateaus, this.settled, this.kind, this.before);
       this.before = run;
       const { under, top } = this.joinedWith(run);
       this.cutTo(under);
       this.push(top);
     }
     if (count === 0) return [];
-    const { under, top } = this.joinedWith(runAt(plateaus, count - 1, this.dimension, this.before));
+    const { under, top } = this.joinedWith(runAt(plateaus, count - 1, this.kind, this.before));
     return [...this.stack.slice(0, under).map(({ run }) => run.card), top.card];
   }
 
@@ -159,6 +174,8 @@ export interface CardWords {
   readonly scale: string;
   /** "surface", or "surface · 3 runs joined". */
   readonly family: string;
+  /** "torsion: 1, 0, 0 over Z/3". */
+  readonly torsion?: string;
   /** Where the plateau means little, it says so. */
   readonly note?: string;
 }
@@ -166,11 +183,12 @@ export interface CardWords {
 export function cardWords(card: PlateauCard): CardWords {
   const each = (card.betti[0] ?? 1) > 1 ? ' a piece' : '';
   return {
-    shape: shapeInWords(card.family, card.betti),
+    shape: shapeInWords(card.family, card.betti, card.torsion?.betti),
     counts: bettiInWords(card.betti),
     // Where it ends is where the next shape begins, as its band in the diagram.
     scale: scaleInWords(card.epsilonFirst, card.epsilonFirst * Math.exp(-card.length)),
     family: card.runs === 1 ? card.family : `${card.family} · ${card.runs} runs joined`,
+    ...(card.torsion ? { torsion: torsionInNumbers(card.torsion) } : {}),
     ...(fewLandmarks(card)
       ? { note: `at most ${counted(landmarksPerPiece(card), 'landmark')}${each}: too few to trust` }
       : {}),

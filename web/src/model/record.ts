@@ -10,12 +10,20 @@ export function shownFamilyName(code: number): ShownFamily {
   return SHOWN_FAMILIES[code] ?? 'delaunay';
 }
 
+/** Betti numbers over another field that differ from those that are shown. */
+export interface Torsion {
+  /** A prime p: they are over Z/p. */
+  readonly field: number;
+  readonly betti: readonly number[];
+}
+
 /** What a step shows. */
 export interface StepSummary {
   readonly step: number;
   readonly epsilon: number;
   readonly family: ShownFamily;
   readonly betti: readonly number[];
+  readonly torsion?: Torsion;
   /** The track whose deaths count at this step. */
   readonly track: 0 | 1;
 }
@@ -27,6 +35,8 @@ export interface StepSummary {
 export class RunRecord {
   /** Betti numbers a step. */
   readonly bettiCount: number;
+  /** The prime of the numbers that tell torsion; 0: there is none. */
+  readonly otherField: number;
   readonly frame: CloudFrame;
   readonly family: Family;
   readonly stepsPlanned: number;
@@ -55,9 +65,11 @@ export class RunRecord {
   private readonly epsilons = new ChunkedColumn<Float64Array>((length) => new Float64Array(length));
   private readonly families = new ChunkedColumn<Uint8Array>((length) => new Uint8Array(length));
   private readonly bettis = new ChunkedColumn<Uint32Array>((length) => new Uint32Array(length));
+  private readonly otherBettis = new ChunkedColumn<Uint32Array>((length) => new Uint32Array(length));
 
   constructor(opened: Opened) {
     this.bettiCount = opened.bettiCount;
+    this.otherField = opened.otherField;
     this.frame = opened.frame;
     this.family = opened.family;
     this.stepsPlanned = opened.stepsPlanned;
@@ -84,6 +96,7 @@ export class RunRecord {
     this.epsilons.append(delta.epsilon);
     this.families.append(delta.shownFamily);
     this.bettis.append(delta.betti);
+    this.otherBettis.append(delta.otherBetti);
     this.extendBlocks(delta);
     this.appendSimplices(this.edges, delta.edges, delta.edgeDeath);
     this.appendSimplices(this.triangles, delta.triangles, delta.triangleDeath);
@@ -151,13 +164,24 @@ export class RunRecord {
 
   summary(step: number): StepSummary {
     const family = shownFamilyName(this.families.at(step - 1));
+    const torsion = this.torsion(step);
     return {
       step,
       epsilon: this.epsilon(step),
       family,
       betti: Array.from({ length: this.bettiCount }, (_, k) => this.betti(step, k)),
+      ...(torsion ? { torsion } : {}),
       track: this.family === 'auto' && family === 'delaunay' ? 1 : 0,
     };
+  }
+
+  private torsion(step: number): Torsion | undefined {
+    if (this.otherField === 0) return undefined;
+    const first = (step - 1) * this.bettiCount;
+    const betti = Array.from({ length: this.bettiCount }, (_, k) => this.otherBettis.at(first + k));
+    return betti.some((count, k) => count !== this.betti(step, k))
+      ? { field: this.otherField, betti }
+      : undefined;
   }
 
   private extendBlocks(delta: Delta): void {

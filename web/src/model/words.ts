@@ -1,5 +1,6 @@
 import type { ShownFamily } from '../worker/protocol.ts';
 import { counted, readable, spaced } from './numbers.ts';
+import type { Torsion } from './record.ts';
 
 /** "1 component, 2 loops, 1 void"; what is zero goes unsaid. */
 export function bettiInWords(betti: readonly number[]): string {
@@ -64,9 +65,31 @@ function complexIn(betti: readonly number[]): string {
     : `${components} pieces with ${counted(loops, 'loop')}`;
 }
 
+/** "torsion: 1, 0, 0 over Z/3": the numbers over another field, which differ. */
+export function torsionInNumbers({ field, betti }: Torsion): string {
+  return `torsion: ${bettiList(betti)} over Z/${field}`;
+}
+
+/** The two that every course shows; the numbers over Z/2 and over Z/3, in either order. */
+const WITH_TORSION: readonly (readonly [name: string, one: string, other: string])[] = [
+  ['projective-plane-like shape', '1,1,1', '1'],
+  ['Klein-bottle-like shape', '1,2,1', '1,1'],
+];
+
+function withTorsion(betti: readonly number[], other: readonly number[]): string | undefined {
+  const numbers = [betti, other].map((each) => each.join().replace(/(,0)+$/, ''));
+  return WITH_TORSION.find(([, one, another]) => numbers.includes(one) && numbers.includes(another))?.[0];
+}
+
 /** What a shape with these Betti numbers looks like, in a few plain words; "-like" because Betti numbers say no more. */
-export function shapeInWords(family: ShownFamily, betti: readonly number[]): string {
+export function shapeInWords(
+  family: ShownFamily,
+  betti: readonly number[],
+  torsion?: readonly number[],
+): string {
   const [components = 0, loops = 0] = betti;
+  const known = torsion && withTorsion(betti, torsion);
+  if (known) return known;
   return family === 'surface' ? closedSurface(components, loops) : complexIn(betti);
 }
 

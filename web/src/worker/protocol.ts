@@ -117,6 +117,10 @@ export interface OpenedRun {
   readonly dimension: number;
   /** Betti numbers a step. */
   readonly bettiCount: number;
+  /** They are over Z/field. */
+  readonly field: number;
+  /** The prime of `otherBetti`; 0: the complex is embedded, there is no torsion. */
+  readonly otherField: number;
   readonly metric: Metric;
   /** n rows of `dimension` numbers, input units. */
   readonly coordinates: Float64Array;
@@ -175,8 +179,10 @@ export interface Delta {
   readonly epsilon: Float64Array;
   /** 0 witness, 1 delaunay, 2 surface. */
   readonly shownFamily: Uint8Array;
-  /** `dimension` numbers a new step. */
+  /** `bettiCount` numbers a new step. */
   readonly betti: Uint32Array;
+  /** The same over Z/otherField; where they differ there is torsion. Empty where there can be none. */
+  readonly otherBetti: Uint32Array;
   /** Two vertices (steps, ascending) an edge; the birth is the last vertex. */
   readonly edges: Uint32Array;
   /** Death in track 0 and track 1 of the new edges, 0xFFFFFFFF while alive at stepCount; track 1 is empty unless family is auto. */
@@ -203,8 +209,10 @@ export interface Plateaus {
   /** epsilon+(first) / epsilon+(last + 1). */
   readonly ratio: Float64Array;
   readonly family: Uint8Array;
-  /** `dimension` numbers a plateau. */
+  /** `bettiCount` numbers a plateau. */
   readonly betti: Uint32Array;
+  /** As many: over Z/otherField where those that last longest in the plateau are others; else zeros. */
+  readonly torsion: Uint32Array;
   /** Indices into the arrays above, longest first. */
   readonly ranked: Uint32Array;
 }
