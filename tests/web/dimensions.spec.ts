@@ -85,10 +85,33 @@ test('a file of distances is asked for, opened and drawn; whole coordinates give
   await expect(metric).toHaveValue('matrix');
   await expect(metric.locator('option:enabled')).toHaveText(['As in the file']);
 
+  const below = GRID.map((a, i) => [`p${i}`, ...GRID.slice(0, i).map((b) => apart(a, b))].join(',')).join(
+    '\n',
+  );
+  await drop(page, 'named.csv', below);
+  await expect(page.getByRole('alert')).toContainText('"p1" where a number should be');
+  await expect(page.getByLabel('Which columns')).toBeHidden();
+  await page.getByRole('button', { name: 'They are distances' }).click();
+  await shown(page, 'named.csv');
+  expect(await state(page, 'hash')).toBe(hash);
+
   await drop(page, 'crooked.csv', square.replace('\n', '\n1,'));
   await page.getByRole('button', { name: 'They are distances' }).click();
   await expect(page.getByRole('alert')).toContainText('Line 2 has 61 distances');
-  expect(await state(page, 'source')).toBe('distances.csv');
+  expect(await state(page, 'source')).toBe('named.csv');
+});
+
+test('what turns over on its way around is named, with its torsion', async ({ page }) => {
+  await openPaused(page, 'sphere', 1500);
+  await choose(page, 'Distances', 'projective');
+  await expect(root(page)).toHaveAttribute('data-family', 'witness');
+  await page.getByRole('textbox', { name: 'ν' }).fill('1, 4, 5, 5');
+  await page.getByLabel('Stop at N').fill('60');
+  await page.getByLabel('Stop at N').press('Enter');
+  const card = page.getByRole('button', { name: /^projective-plane-like shape/ });
+  await expect(card).toContainText('torsion: 1, 0, 0 over Z/3');
+  await card.click();
+  await expect(page.getByRole('status')).toContainText('β 1, 1, 1 · torsion: 1, 0, 0 over Z/3 · witness');
 });
 
 test('other distances are a setting; each asks for what it needs, and undo leads back', async ({ page }) => {

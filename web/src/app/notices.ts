@@ -8,6 +8,11 @@ const UNSUPPORTED_DIMENSION = 7;
 const COMMAND_OPTION = / with --columns\b[^.]*\.?$/;
 
 const ADVICE = 'Nothing was changed here. Mend the file and open it again, or open another.';
+/** What is no table of points may still be one of distances: triangular, or with names. */
+const MAY_BE_DISTANCES =
+  'Nothing was changed here. Are they distances? Else mend the file and open it again.';
+const NO_NUMBERS_OR_RAGGED = [3, 4, 5];
+const TABLE = /\.(csv|tsv|txt|dat)$/i;
 
 const FLAT_NOTES = {
   line: 'All points lie on one line, so there is nothing but pieces of it to see.',
@@ -20,20 +25,25 @@ export class Notices {
   private readonly advice = byId('advice', HTMLElement);
   private readonly trouble = byId('trouble', HTMLElement);
   private readonly columns = byId('columns-form', HTMLFormElement);
+  private readonly columnsEntry = byId('columns-entry', HTMLElement);
   private readonly warning = byId('warning', HTMLElement);
 
   /** `about`: the file that the error came from, if it can be read anew with other columns. */
   error(error: unknown, about = ''): void {
     const asksForColumns =
       about !== '' && error instanceof PlateauError && error.code === UNSUPPORTED_DIMENSION;
+    const asksForDistances =
+      error instanceof PlateauError && TABLE.test(about) && NO_NUMBERS_OR_RAGGED.includes(error.code);
     const message = error instanceof Error ? error.message : String(error);
     const said = asksForColumns ? message.replace(COMMAND_OPTION, '.') : message;
     this.alert.textContent = about === '' ? said : `${about}: ${said}`;
-    setNotice(this.advice, about === '' || asksForColumns ? '' : ADVICE);
+    const advice = asksForDistances ? MAY_BE_DISTANCES : ADVICE;
+    setNotice(this.advice, about === '' || asksForColumns ? '' : advice);
     this.trouble.hidden = message === '';
     // A question is no fault.
     this.trouble.classList.toggle('error', !asksForColumns);
-    this.columns.hidden = !asksForColumns;
+    this.columns.hidden = !asksForColumns && !asksForDistances;
+    this.columnsEntry.hidden = !asksForColumns;
   }
 
   clear(): void {
