@@ -60,7 +60,8 @@ private:
         if (auto error = split_fields(line, lines_.line_number(), fields_)) return error;
         if (fields_.size() > kMaxColumns) {
             return Error{ErrorCode::MalformedInput, "Line " + std::to_string(lines_.line_number()) +
-                                                        " has more than 4096 columns: this is no table of points."};
+                                                        " has " + std::to_string(fields_.size()) +
+                                                        " columns: more than 4096 are no table of points."};
         }
         return std::nullopt;
     }

@@ -1,6 +1,10 @@
 // Clouds without three coordinates of their own, and distances that are not Euclidean.
+import { createWriteStream } from 'node:fs';
+import { once } from 'node:events';
 import type { Page } from '@playwright/test';
 import { drop, expect, openPaused, root, shown, state, test } from './page.ts';
+
+const FULL = process.env['PLATEAU_FULL'] === '1';
 
 /** Points on the Clifford torus in four dimensions, from a fixed sequence. */
 function cliffordText(size: number): string {
@@ -99,6 +103,28 @@ test('a file of distances is asked for, opened and drawn; whole coordinates give
   await page.getByRole('button', { name: 'They are distances' }).click();
   await expect(page.getByRole('alert')).toContainText('Line 2 has 61 distances');
   expect(await state(page, 'source')).toBe('named.csv');
+});
+
+test('a large table of distances says what it takes before it is read', async ({ page }, testInfo) => {
+  const size = FULL ? 5000 : 1700;
+  // Sums of differences of whole numbers.
+  const place = (i: number): readonly number[] => [(i * 37) % 101, (i * 59) % 211, (i * 11) % 17];
+  const file = testInfo.outputPath('large.csv');
+  const out = createWriteStream(file);
+  for (let i = 0; i < size; ++i) {
+    const row = Array.from({ length: size }, (_, j) => apart(place(i), place(j)));
+    if (!out.write(`${row.join(',')}\n`)) await once(out, 'drain');
+  }
+  out.end();
+  await once(out, 'finish');
+  await page.goto('./?sample=none');
+  await page.getByLabel('Open point cloud').setInputFiles(file);
+  await expect(page.getByRole('alert')).toContainText(`${size} columns`);
+  const advice = page.getByText(/As distances of [\d,]+ points they would take up to (\d+)\sMB\./);
+  await expect(advice).toHaveText(FULL ? /95\sMB/ : /11\sMB/);
+  await page.getByRole('button', { name: 'They are distances' }).click();
+  await expect(root(page)).toHaveAttribute('data-steps', String(size), { timeout: 240_000 });
+  await shown(page, 'large.csv');
 });
 
 test('what turns over on its way around is named, with its torsion', async ({ page }) => {

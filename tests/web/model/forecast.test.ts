@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import {
+  distancesInWords,
   durationInWords,
   expectedEnd,
   expectedEpsilon,
@@ -75,6 +76,11 @@ test('the rate is that of the last seconds', () => {
   expect(rate.perSecond).toBeUndefined();
   for (let at = 100; at <= 20_000; at += 100) rate.see(at, at <= 10_000 ? at : 10_000 + 3 * (at - 10_000));
   expect(rate.perSecond).toBeCloseTo(3000, 6);
+});
+
+test('a table of distances says what it takes where that is worth saying', () => {
+  expect(distancesInWords(5000)).toBe('As distances of 5,000 points they would take up to 95\u00a0MB.');
+  expect(distancesInWords(1500)).toBe('');
 });
 
 test('durations and memory are as exact as a guess deserves', () => {

@@ -1,4 +1,5 @@
 import { PlateauError } from '../client/plateau-error.ts';
+import { distancesInWords } from '../model/forecast.ts';
 import { flatness } from '../model/flatness.ts';
 import type { Opened } from '../worker/protocol.ts';
 import { byId, setNotice } from './dom.ts';
@@ -19,6 +20,12 @@ const FLAT_NOTES = {
   plane: 'All points lie in one plane, so there is no surface to find: what is seen are pieces and loops.',
 } as const;
 
+function adviceOn(message: string, asksForColumns: boolean, asksForDistances: boolean): string {
+  if (!asksForColumns && !asksForDistances) return ADVICE;
+  const memory = distancesInWords(Number(/(\d+) columns/.exec(message)?.[1] ?? 0));
+  return [asksForDistances ? MAY_BE_DISTANCES : '', memory].filter(Boolean).join(' ');
+}
+
 /** What went wrong, what else the visitor should know, and the question which columns are coordinates. */
 export class Notices {
   private readonly alert = byId('alert', HTMLElement);
@@ -37,8 +44,7 @@ export class Notices {
     const message = error instanceof Error ? error.message : String(error);
     const said = asksForColumns ? message.replace(COMMAND_OPTION, '.') : message;
     this.alert.textContent = about === '' ? said : `${about}: ${said}`;
-    const advice = asksForDistances ? MAY_BE_DISTANCES : ADVICE;
-    setNotice(this.advice, about === '' || asksForColumns ? '' : advice);
+    setNotice(this.advice, about === '' ? '' : adviceOn(message, asksForColumns, asksForDistances));
     this.trouble.hidden = message === '';
     // A question is no fault.
     this.trouble.classList.toggle('error', !asksForColumns);

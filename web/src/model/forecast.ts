@@ -7,6 +7,9 @@ const LEAST_STEPS = 100;
 const RATE_OVER_MS = 8_000;
 /** A cloud of this many points is a scan: it ends at its noise unless asked otherwise, and says what it takes. */
 export const SCAN_POINTS = 20_000;
+/** What takes this much says so, however few its points: distances grow with the square of them. */
+const MUCH_MEMORY = 50 * 2 ** 20;
+const SAID_OF_DISTANCES = 10 * 2 ** 20;
 
 /** ln ε falls with ln step as over the last half of the steps; per unit of ln step. */
 function fall(record: RunRecord): number | undefined {
@@ -71,7 +74,7 @@ export function memoryInWords(bytes: number): string {
 /** "computed 1,234 of 100,000", and for a scan what memory and time it takes. */
 export function progressInWords(record: RunRecord, rate: number | undefined): string {
   const parts = [`computed ${grouped(record.stepCount)} of ${grouped(record.stepsPlanned)}`];
-  if (record.frame.count < SCAN_POINTS) return parts.join('');
+  if (record.frame.count < SCAN_POINTS && record.estimatedBytes < MUCH_MEMORY) return parts.join('');
   const needed = memoryInWords(Math.min(record.estimatedBytes, record.memoryLimitBytes));
   parts.push(
     record.memoryBytes > 0
@@ -83,6 +86,13 @@ export function progressInWords(record: RunRecord, rate: number | undefined): st
     parts.push(`${durationInWords((expectedEnd(record) - record.stepCount) / rate)} left`);
   }
   return parts.join(' · ');
+}
+
+/** What a table of so many columns takes if it is one of distances, all pairs in double precision. */
+export function distancesInWords(columns: number): string {
+  const bytes = (columns * (columns - 1) * 8) / 2;
+  if (bytes < SAID_OF_DISTANCES) return '';
+  return `As distances of ${grouped(columns)} points they would take up to ${memoryInWords(bytes)}.`;
 }
 
 /** Rounded to two digits: 268,123 as "270,000". */
