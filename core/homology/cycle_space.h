@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "complex/nu_complex.h"
+#include "complex/simplex_books.h"
 #include "complex/simplex_table.h"
 #include "homology/echelon.h"
 
@@ -25,7 +25,8 @@ public:
     CycleSpace(int k, std::uint32_t prime) : k_(k), prime_(prime), echelon_(prime) {}
 
     /// Follows one insertion, after the complex has followed it.
-    void update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex);
+    void update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
+                std::span<const Death> deaths);
 
     std::uint32_t dimension() const { return static_cast<std::uint32_t>(dimension_); }
     std::uint64_t memory() const { return (row_of_.capacity() + column_of_.capacity()) * sizeof(std::uint32_t); }
@@ -50,7 +51,7 @@ private:
     struct Around {
         Step step;
         const SimplexTable& simplices;
-        const NuComplex& complex;
+        const SimplexBooks& books;
     };
 
     template <class Use>

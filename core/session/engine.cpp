@@ -25,8 +25,7 @@ LandmarkLists lists_of(const PointCloud& cloud, const EngineOptions& options) {
 Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
     : cloud_(&cloud),
       options_(options),
-      lists_(lists_of(cloud, options)),
-      complex_(options.nu, static_cast<int>(options.dimension), cloud.size()) {
+      lists_(lists_of(cloud, options)) {
     timeline_.dimension = options.dimension;
     timeline_.family = options.family;
     timeline_.track_count = static_cast<int>(options.nu.size());
@@ -34,12 +33,20 @@ Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
     for (std::uint32_t k = 1; k <= options.dimension; ++k) timeline_.simplices[k - 1].dimension = static_cast<int>(k);
 
     const bool follows_surface = options.family == Family::Surface || options.family == Family::Auto;
-    if (options.family != Family::Witness) delaunay_.emplace(cloud.dimension);
+    if (options.family == Family::Dilated) {
+        dilated_.emplace(cloud.dimension, options.dilated);
+    } else {
+        complex_.emplace(options.nu, static_cast<int>(options.dimension), cloud.size());
+    }
+    if (is_within_delaunay(options.family)) {
+        delaunay_.emplace(cloud.dimension);
+    } else {
+        general_.emplace(static_cast<int>(timeline_.dimension), options.field);
+    }
     if (follows_surface) {
         surface_.emplace(options.rho);
         surface_betti_.emplace();
     }
-    if (options.family == Family::Witness) general_.emplace(static_cast<int>(timeline_.dimension), options.field);
     if (options.family == Family::Delaunay) embedded_.emplace(0);
     if (options.family == Family::Auto) embedded_.emplace(1);
 }
@@ -60,22 +67,28 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
     timeline_.epsilons.push_back(lists_.distance(lists_.farthest_comparable()));
     timeline_.delaunay_dimension.push_back(static_cast<std::uint8_t>(change == nullptr ? 0 : change->dimension));
 
-    if (change == nullptr) {
-        complex_.insert(step, lists_, entries, timeline_.simplices);
+    if (dilated_) {
+        follow_dilated(step);
+    } else if (change == nullptr) {
+        complex_->insert(step, lists_, entries, timeline_.simplices);
     } else {
-        complex_.insert(step, lists_, entries, *delaunay_, *change, timeline_.simplices);
+        complex_->insert(step, lists_, entries, *delaunay_, *change, timeline_.simplices);
     }
-    record_deaths();
+    record_deaths(dilated_ ? dilated_->deaths() : complex_->deaths());
     if (surface_) {
         const LandmarkPoints points{cloud_, &timeline_.landmarks};
-        surface_->update(step, *delaunay_, *change, complex_, complex_.deaths(), points, timeline_);
+        surface_->update(step, *delaunay_, *change, *complex_, complex_->deaths(), points, timeline_);
         timeline_.first_row_of_step.push_back(static_cast<std::uint32_t>(timeline_.surface.size()));
         timeline_.first_ended_row_of_step.push_back(timeline_.ended_rows.size());
         surface_betti_->update(*surface_, static_cast<std::uint32_t>(timeline_.surface.size()));
     }
     if (embedded_)
-        embedded_->update(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, complex_.faces());
-    if (general_) general_->update(step, timeline_.simplices, complex_);
+        embedded_->update(step, timeline_.simplices, complex_->deaths(), *delaunay_, *change, complex_->faces());
+    if (general_ && dilated_) {
+        general_->update(step, timeline_.simplices, dilated_->books(), dilated_->deaths(), dilated_->hidden());
+    } else if (general_) {
+        general_->update(step, timeline_.simplices, complex_->books(), complex_->deaths());
+    }
     record_numbers();
     timeline_.step_count = step;
     return std::nullopt;
@@ -84,7 +97,7 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
 // Asks the memory for what the insertion will touch, while the lists are at work.
 void Engine::expect(const DelaunayChange& change) const {
     const auto expect_cell = [&](CellId cell) {
-        complex_.expect(cell);
+        complex_->expect(cell);
         if (embedded_) embedded_->expect(cell);
         if (surface_) surface_->expect(cell);
     };
@@ -96,8 +109,14 @@ void Engine::expect(const DelaunayChange& change) const {
     }
 }
 
-void Engine::record_deaths() {
-    const auto deaths = complex_.deaths();
+void Engine::follow_dilated(Step step) {
+    const std::uint32_t input_index = timeline_.landmarks.back();
+    dilated_->insert(step, cloud_->point(input_index), timeline_.epsilon(step), lists_, timeline_.simplices);
+    timeline_.weights_squared.push_back(dilated_->landmarks().weight_squared(step));
+    for (const Step landmark : dilated_->hidden()) timeline_.hidden.push_back({landmark, step});
+}
+
+void Engine::record_deaths(std::span<const Death> deaths) {
     timeline_.deaths.insert(timeline_.deaths.end(), deaths.begin(), deaths.end());
     timeline_.first_death_of_step.push_back(timeline_.deaths.size());
 }
@@ -159,7 +178,7 @@ std::uint64_t Engine::memory() const {
     constexpr std::uint64_t kBytesPerCell = 84 + sizeof(DelaunayCell);  // CGAL's and ours
     std::uint64_t bytes = lists_.memory();
     if (delaunay_) bytes += delaunay_->cell_capacity() * kBytesPerCell;
-    bytes += complex_.memory();
+    bytes += dilated_ ? dilated_->memory() : complex_->memory();
     for (const SimplexTable& table : timeline_.simplices) {
         bytes += sizeof(Step) * (table.vertices.capacity() + table.death[0].capacity() + table.death[1].capacity());
     }
