@@ -141,7 +141,8 @@ std::uint64_t Engine::hash() {
     return hash_.value();
 }
 
-// Step, landmark, bits of epsilon, births, deaths, surface rows, shown family and Betti numbers.
+// Step, landmark, bits of epsilon, births, deaths, surface rows, weight and hidden landmarks, shown family and Betti
+// numbers.
 void Engine::extend_hash(Step step) {
     hash_.add_u32(step);
     hash_.add_u32(timeline_.landmarks[step - 1]);
@@ -169,6 +170,11 @@ void Engine::extend_hash(Step step) {
         const auto& ended = timeline_.first_ended_row_of_step;
         for (std::uint32_t row = rows[step]; row < rows[step + 1]; ++row) add_row(row);
         for (std::size_t i = ended[step]; i < ended[step + 1]; ++i) add_row(timeline_.ended_rows[i]);
+    }
+    if (dilated_) {
+        hash_.add_f64(timeline_.weights_squared[step - 1]);
+        for (; hashed_hidden_ < timeline_.hidden.size() && timeline_.hidden[hashed_hidden_].from <= step; ++hashed_hidden_)
+            hash_.add_u32(timeline_.hidden[hashed_hidden_].landmark);
     }
     hash_.add_byte(static_cast<std::uint8_t>(timeline_.shown_family[step - 1]));
     for (const std::uint32_t beta : timeline_.betti_at(step)) hash_.add_u32(beta);

@@ -75,6 +75,7 @@ private:
     std::optional<SurfaceBetti> surface_betti_;
     std::optional<GeneralBetti> general_;
     Step hashed_ = 0;  // steps in the hash
+    std::size_t hashed_hidden_ = 0;
     Fnv1a64 hash_;
 };
 
