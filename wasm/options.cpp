@@ -90,7 +90,7 @@ Result<RunOptions> run_options_of(const val& source) {
         const auto name = family.as<std::string>();
         options.family = family_named(name);
         if (!options.family) {
-            return invalid("There is no family \"" + name + "\"; take witness, delaunay, surface or auto.");
+            return invalid("There is no family \"" + name + "\"; take witness, delaunay, surface, auto or dilated.");
         }
     }
     if (const val nu = source["nu"]; given(nu)) {
@@ -120,6 +120,7 @@ Result<RunOptions> run_options_of(const val& source) {
         if (!(limit >= 1)) return invalid("The memory must be a positive number of bytes.");
         options.memory_limit = std::min(options.memory_limit, static_cast<std::uint64_t>(std::min(limit, 1e15)));
     }
+    if (const val dilation = source["dilation"]; given(dilation)) options.dilation = dilation.as<double>();
     if (const val rho = source["rho"]; given(rho)) options.rho = rho.as<double>();
     return options;
 }

@@ -81,12 +81,9 @@ std::optional<Error> complete_metric(RunArguments& run, const RawText& raw, bool
 std::optional<Error> complete(RunArguments& run, const RawText& raw) {
     if (!raw.family.empty()) {
         run.options.family = family_named(raw.family);
-        if (raw.family == "dilated") {
-            return invalid("Family dilated is not in this version; take witness, delaunay, surface or auto.");
-        }
         if (!run.options.family) {
             return invalid("There is no family " + in_quotes(raw.family) +
-                           "; take witness, delaunay, surface or auto.");
+                           "; take witness, delaunay, surface, auto or dilated.");
         }
     }
     if (!raw.nu.empty()) {
@@ -128,7 +125,8 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
                    "standard input")
         ->required();
     app.add_option("--family", raw.family,
-                   "witness, delaunay, surface or auto [plane: delaunay, space: auto, else witness]");
+                   "witness, delaunay, surface, auto or dilated [plane: delaunay, space: auto, 4 or 5 coordinates: "
+                   "dilated, else witness]");
     app.add_option("--nu", raw.nu, "Ranks of the witnesses by dimension, such as 1,6,6,4 [as the family]");
     app.add_option("--first", run.options.first, "Input index of the first landmark, from 0")->capture_default_str();
     app.add_option("--steps", run.options.max_steps, "Most landmarks to insert [all]");
@@ -138,6 +136,9 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
     app.add_option("--memory", raw.megabytes,
                    "Most memory to take, in MB; the run stops there [four fifths of the machine's]");
     app.add_option("--rho", run.options.rho, "Surface: drop triangles of a larger radius-edge ratio [off]");
+    app.add_option("--dilation", run.options.dilation,
+                   "Family dilated: radius of the witnesses as a part of epsilon, at most 1")
+        ->capture_default_str();
     app.add_option("--metric", raw.metric,
                    std::string(kMetricChoice) + " [euclidean]; all but euclidean are for family witness");
     app.add_option("--knn", run.options.metric.neighbors,
@@ -147,7 +148,7 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
                    "Metric periodic: the period of every axis, such as 1,1, or one for all; 0: none [the unit box]");
     app.add_option("--max-dim", run.options.max_dimension,
                    "Family witness: the last Betti number, at most 6 [that of the space, matrix: 2]");
-    app.add_option("--field", run.options.field, "Family witness: Betti numbers over Z/p for this prime p")
+    app.add_option("--field", run.options.field, "Families witness and dilated: Betti numbers over Z/p for this prime p")
         ->capture_default_str();
     app.add_option("--columns", raw.columns, "Columns that are the coordinates, from 1, such as 1,2,3 [all]");
     app.add_option("--betti", run.betti, "Write the Betti numbers of every step (CSV); - for standard output");

@@ -78,7 +78,7 @@ std::uint64_t usable_memory() {
 
 /// A cloud in a plane or on a line is computed as such, and the user should know.
 std::optional<std::string> degeneracy(const Timeline& timeline) {
-    if (timeline.family == Family::Witness || timeline.step_count == 0) return std::nullopt;
+    if (!is_within_delaunay(timeline.family) || timeline.step_count == 0) return std::nullopt;
     if (timeline.epsilon(timeline.step_count) > 0) return std::nullopt;
     const std::uint32_t spanned = timeline.delaunay_dimension[timeline.step_count - 1];
     if (spanned >= timeline.dimension) return std::nullopt;

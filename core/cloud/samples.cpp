@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "cloud/implicit_surface.h"
+#include "cloud/manifold_samples.h"
 #include "cloud/spread_points.h"
 #include "cloud/trigonometry.h"
 
@@ -13,20 +14,19 @@ namespace plateau {
 namespace {
 
 constexpr std::uint32_t kMaxSampleSize = 10'000'000;
+constexpr std::size_t kMostCoordinates = 9;
 constexpr double kTorusLarge = 1;
 constexpr double kTorusSmall = 0.4;
 
 using Coordinates = std::vector<double>;
-using Generator = Coordinates (*)(std::uint32_t size, Random& random);
-
 struct NamedGenerator {
     SampleShape shape;
-    Generator generator;
+    SampleGenerator generator;
 };
 
 /// Adds a uniform vector of the ball of the given radius to the last `dimension` numbers: rejection from the cube.
 void add_ball_noise(std::uint32_t dimension, double radius, Random& random, double* point) {
-    std::array<double, 3> offset{};
+    std::array<double, kMostCoordinates> offset{};
     double norm_squared = 2;
     while (norm_squared > 1) {
         norm_squared = 0;
@@ -188,7 +188,7 @@ Coordinates swiss_roll(std::uint32_t size, Random& random) {
     return points.take();
 }
 
-constexpr std::array<NamedGenerator, 10> kGenerators = {{
+constexpr std::array<NamedGenerator, 21> kGenerators = {{
     {{"circle-noise", 2, 1000, "One loop, seen through noise: one piece and one hole until the noise itself shows."},
      circle_noise},
     {{"nested-circles", 2, 1000, "Two loops, one inside the other: two pieces and two holes."}, nested_circles},
@@ -203,6 +203,21 @@ constexpr std::array<NamedGenerator, 10> kGenerators = {{
     {{"swiss-roll", 3, 5000,
       "From afar a solid roll; a sheet with a border encloses nothing, so closer by no closed surface is left."},
      swiss_roll},
+    {{"disk", 3, 15000, "A surface with a border, which encloses nothing: one piece and no hole."}, sample_disk},
+    {{"hemisphere", 3, 15000, "A bowl: one piece, and neither a hole nor a cavity."}, sample_hemisphere},
+    {{"mobius", 3, 15000, "A band with half a turn: one piece and one loop, whatever its one side."}, sample_mobius},
+    {{"annulus", 3, 15000, "A flat ring: one piece and one loop."}, sample_annulus},
+    {{"clifford", 4, 20000, "A flat torus in four dimensions: one piece, two loops and one cavity."}, sample_clifford},
+    {{"klein", 4, 20000, "A Klein bottle: as the torus over Z/2, but only one loop and no cavity over Z/3."},
+     sample_klein},
+    {{"s3", 4, 20000, "A sphere of three dimensions: one piece and one cavity of the highest kind."}, sample_s3},
+    {{"rp2", 4, 20000, "The projective plane: a loop and a cavity over Z/2, neither over Z/3."}, sample_rp2},
+    {{"two-scales", 4, 20000, "Two answers in four dimensions: from afar a circle, closer by a torus."},
+     sample_two_scales},
+    {{"s2xs1", 5, 30000, "A sphere times a circle, in five dimensions: one loop, one cavity and their product."},
+     sample_s2xs1},
+    {{"so3", 9, 5000, "All rotations of space as matrices: over Z/2 one class in each dimension from 0 to 3."},
+     sample_so3},
 }};
 
 constexpr auto kShapes = [] {

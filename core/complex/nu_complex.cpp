@@ -39,7 +39,7 @@ bool witnessed(const DelaunayLink::FirstWitness& first_witness) {
 
 NuComplex::NuComplex(std::vector<std::vector<std::uint32_t>> nu, int max_dimension, std::uint32_t witness_count)
     : nu_(std::move(nu)),
-      books_(static_cast<std::size_t>(max_dimension)),
+      books_(max_dimension),
       watches_(nu_.size(), static_cast<std::size_t>(max_dimension), witness_count) {
     for (int k = 1; k <= max_dimension; ++k) candidates_.emplace_back(k);
 }
@@ -302,18 +302,10 @@ SimplexIndex NuComplex::bear(int k, std::span<const Step> others, std::span<cons
     if (!lives[0] && !lives[1]) return kNoSimplex;
 
     SimplexTable& table = tables[k];
-    Book& book = books_[static_cast<std::size_t>(k - 1)];
     const SimplexIndex simplex = table.size();
     table.vertices.insert(table.vertices.end(), others.begin(), others.end());
     table.vertices.push_back(tables.step);
-    book.first_coface.push_back(kEnd);
-    for (const SimplexIndex facet : facets) {
-        std::uint32_t& first = books_[static_cast<std::size_t>(k - 2)].first_coface[facet];
-        const auto encoded = static_cast<std::uint32_t>(book.facets.size());
-        book.facets.push_back(facet);
-        book.next_coface.push_back(first);
-        first = encoded;
-    }
+    books_.add(k, facets);
     watches_.add(k);
     for (std::size_t track = 0; track < nu_.size(); ++track) {
         table.death[track].push_back(lives[track] ? kNever : tables.step);
@@ -329,15 +321,11 @@ void NuComplex::kill(int track, int k, SimplexIndex simplex, Tables& tables) {
     watches_.forget(track, k, simplex);
     deaths_.push_back({static_cast<std::uint8_t>(track), static_cast<std::uint8_t>(k), simplex});
     if (k == max_dimension()) return;
-    for_each_coface(k, simplex, [&](SimplexIndex coface) { kill(track, k + 1, coface, tables); });
+    books_.for_each_coface(k, simplex, [&](SimplexIndex coface) { kill(track, k + 1, coface, tables); });
 }
 
 std::uint64_t NuComplex::memory() const {
-    std::uint64_t words = 0;
-    for (const Book& book : books_) {
-        words += book.facets.capacity() + book.first_coface.capacity() + book.next_coface.capacity();
-    }
-    return words * sizeof(std::uint32_t) + watches_.memory() + faces_.memory();
+    return books_.memory() + watches_.memory() + faces_.memory();
 }
 
 }  // namespace plateau

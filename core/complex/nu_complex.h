@@ -7,6 +7,7 @@
 #include "complex/delaunay_faces.h"
 #include "complex/delaunay_link.h"
 #include "complex/link_table.h"
+#include "complex/simplex_books.h"
 #include "complex/simplex_table.h"
 #include "complex/watched_witnesses.h"
 #include "delaunay/delaunay.h"
@@ -40,34 +41,17 @@ public:
     std::span<const Death> deaths() const { return deaths_; }
     /// Where the simplices lie in D(L).
     const DelaunayFaces& faces() const { return faces_; }
-    /// Indices in the table of dimension k-1 of the k+1 facets of a simplex of dimension k >= 2; facet j lacks vertex
-    /// j.
-    std::span<const SimplexIndex> facets(int k, SimplexIndex simplex) const {
-        const auto width = static_cast<std::size_t>(k + 1);
-        return {books_[static_cast<std::size_t>(k - 1)].facets.data() + simplex * width, width};
-    }
-    /// Calls use(coface) for every recorded simplex of dimension k+1 that has this one, of dimension k >= 1, as a
-    /// facet, also where it is dead.
-    template <class Use>
-    void for_each_coface(int k, SimplexIndex simplex, const Use& use) const {
-        const auto links_per_simplex = static_cast<std::uint32_t>(k + 2);
-        std::uint32_t link = books_[static_cast<std::size_t>(k - 1)].first_coface[simplex];
-        for (; link != kEnd; link = books_[static_cast<std::size_t>(k)].next_coface[link])
-            use(link / links_per_simplex);
-    }
-    int max_dimension() const { return static_cast<int>(books_.size()); }
+    /// Which simplex is a facet of which.
+    const SimplexBooks& books() const { return books_; }
+    /// SimplexBooks::facets().
+    std::span<const SimplexIndex> facets(int k, SimplexIndex simplex) const { return books_.facets(k, simplex); }
+    int max_dimension() const { return books_.max_dimension(); }
     int track_count() const { return static_cast<int>(nu_.size()); }
     /// Bytes held.
     std::uint64_t memory() const;
 
 private:
     using FirstWitness = DelaunayLink::FirstWitness;
-    static constexpr std::uint32_t kEnd = 0xFFFFFFFFu;  // of an encoded list
-    struct Book {                                       // one a dimension
-        std::vector<SimplexIndex> facets;               // k+1 a simplex, from dimension 2
-        std::vector<std::uint32_t> first_coface;        // encoded links into the book of dimension k+1
-        std::vector<std::uint32_t> next_coface;         // one a facet link
-    };
     struct Tables {
         Step step;
         std::vector<SimplexTable>& of_dimension;
@@ -91,7 +75,7 @@ private:
     void kill(int track, int k, SimplexIndex simplex, Tables& tables);
 
     std::vector<std::vector<std::uint32_t>> nu_;
-    std::vector<Book> books_;
+    SimplexBooks books_;
     WatchedWitnesses watches_;
     DelaunayLink link_;
     DelaunayFaces faces_;

@@ -13,14 +13,15 @@ constexpr std::size_t kFirstBall = 16;  // columns
 
 CycleSpace::CycleSpace(int k, std::span<const std::uint32_t> primes) : k_(k), fields_(primes.begin(), primes.end()) {}
 
-void CycleSpace::update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex) {
+void CycleSpace::update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
+                        std::span<const Death> deaths) {
     const SimplexTable& simplices = tables[static_cast<std::size_t>(k_ - 1)];
-    const Around around{step, simplices, complex};
+    const Around around{step, simplices, books};
     row_of_.resize(tables[static_cast<std::size_t>(k_ - 2)].size(), kNone);
     column_of_.resize(simplices.size(), kNone);
 
     std::int64_t more = 0;  // simplices
-    for (const Death& death : complex.deaths()) {
+    for (const Death& death : deaths) {
         if (death.track != 0 || death.dimension != k_) continue;
         add(death.simplex, Kind::Goes, around);
         --more;
@@ -42,7 +43,7 @@ void CycleSpace::update(Step step, const std::vector<SimplexTable>& tables, cons
 // Calls use(simplex) for those that have the facet, stay, and are not in the ball.
 template <class Use>
 void CycleSpace::for_each_unseen(SimplexIndex facet, const Around& around, const Use& use) const {
-    around.complex.for_each_coface(k_ - 1, facet, [&](SimplexIndex simplex) {
+    around.books.for_each_coface(k_ - 1, facet, [&](SimplexIndex simplex) {
         const bool stays =
             around.simplices.birth(simplex) < around.step && around.simplices.death[0][simplex] == kNever;
         if (stays && column_of_[simplex] == kNone) use(simplex);
@@ -61,7 +62,7 @@ std::uint32_t CycleSpace::row(SimplexIndex facet, const Around& around) {
 void CycleSpace::add(SimplexIndex simplex, Kind kind, const Around& around) {
     const auto column = static_cast<std::uint32_t>(columns_.size());
     if (kind != Kind::Stays) ++changing_;
-    for (const SimplexIndex facet : around.complex.facets(k_, simplex)) {
+    for (const SimplexIndex facet : around.books.facets(k_, simplex)) {
         const std::uint32_t index = row(facet, around);
         if (kind == Kind::Stays) --rows_[index].unseen;
         ++rows_[index].columns;
@@ -86,7 +87,7 @@ void CycleSpace::set_aside_alone(const Around& around) {
         if (column.kind != Kind::Stays) --changing_;
         if (column.kind == Kind::Comes) ++alone_;
         if (column.kind == Kind::Goes) --alone_;
-        for (const SimplexIndex facet : around.complex.facets(k_, column.simplex)) {
+        for (const SimplexIndex facet : around.books.facets(k_, column.simplex)) {
             const std::uint32_t index = row_of_[facet];
             --rows_[index].columns;
             rows_[index].mixed ^= row.mixed;
@@ -158,7 +159,7 @@ void CycleSpace::grow(const Around& around) {
 Echelon::Column CycleSpace::boundary(const Column& column, std::uint32_t prime, const Around& around) const {
     Echelon::Column boundary;
     std::uint32_t sign = 1;
-    for (const SimplexIndex facet : around.complex.facets(k_, column.simplex)) {
+    for (const SimplexIndex facet : around.books.facets(k_, column.simplex)) {
         boundary.push_back({place_[row_of_[facet]], sign});
         sign = prime - sign;
     }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "complex/nu_complex.h"
+#include "complex/simplex_books.h"
 #include "complex/simplex_table.h"
 #include "homology/echelon.h"
 
@@ -27,7 +27,8 @@ public:
     CycleSpace(int k, std::span<const std::uint32_t> primes);
 
     /// Follows one insertion, after the complex has followed it.
-    void update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex);
+    void update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
+                std::span<const Death> deaths);
 
     /// Over the prime of this 0-based index.
     std::uint32_t dimension(std::size_t field) const { return static_cast<std::uint32_t>(fields_[field].dimension); }
@@ -61,7 +62,7 @@ private:
     struct Around {
         Step step;
         const SimplexTable& simplices;
-        const NuComplex& complex;
+        const SimplexBooks& books;
     };
 
     template <class Use>

@@ -6,10 +6,12 @@ GeneralBetti::GeneralBetti(int count, std::span<const std::uint32_t> primes) : s
     for (int k = 2; k <= count; ++k) cycles_.emplace_back(k, primes);
 }
 
-void GeneralBetti::update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex) {
-    simplices_.update(step, tables, complex.deaths());
-    skeleton_.update(step, tables.front(), complex.deaths());
-    for (CycleSpace& cycles : cycles_) cycles.update(step, tables, complex);
+void GeneralBetti::update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
+                          std::span<const Death> deaths, std::span<const Step> hidden) {
+    simplices_.update(step, tables, deaths, hidden);
+    hidden_ += static_cast<std::uint32_t>(hidden.size());
+    skeleton_.update(step, tables.front(), deaths);
+    for (CycleSpace& cycles : cycles_) cycles.update(step, tables, books, deaths);
 }
 
 std::vector<std::uint32_t> GeneralBetti::numbers(std::size_t field) const {
@@ -18,8 +20,8 @@ std::vector<std::uint32_t> GeneralBetti::numbers(std::size_t field) const {
     std::uint32_t boundaries_below = 0;  // dim B_(k-1)
     for (std::size_t k = 0; k < count; ++k) {
         const std::uint32_t cycles = simplices_[k] - boundaries_below;
-        const std::uint32_t boundaries =
-            k == 0 ? simplices_[0] - skeleton_.count() : simplices_[k + 1] - cycles_[k - 1].dimension(field);
+        const std::uint32_t boundaries = k == 0 ? simplices_[0] - (skeleton_.count() - hidden_)
+                                                : simplices_[k + 1] - cycles_[k - 1].dimension(field);
         numbers.push_back(cycles - boundaries);
         boundaries_below = boundaries;
     }

@@ -2,8 +2,9 @@
 
 namespace plateau {
 
-void SimplexCounts::update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths) {
-    ++counts_[0];  // the landmark
+void SimplexCounts::update(Step step, const std::vector<SimplexTable>& tables, std::span<const Death> deaths,
+                           std::span<const Step> hidden) {
+    counts_[0] += 1 - static_cast<std::uint32_t>(hidden.size());
     for (const Death& death : deaths) {
         if (death.track == track_) --counts_[death.dimension];
     }

@@ -64,6 +64,8 @@ public:
     /// Once prepared. Cost: O(log n) on the average by the tree, else a row.
     double nearest_other_comparable(WitnessId witness) const;
 
+    /// The tree over the witnesses, where distances are Euclidean.
+    const KdTree& tree() const { return *tree_; }
     std::uint32_t kappa() const { return kappa_; }
     std::uint32_t size() const { return size_; }
     std::uint32_t input_index(WitnessId witness) const { return tree_ ? tree_->input_index(witness) : witness; }

@@ -24,10 +24,7 @@ LandmarkLists lists_of(const PointCloud& cloud, const EngineOptions& options) {
 }  // namespace
 
 Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
-    : cloud_(&cloud),
-      options_(options),
-      lists_(lists_of(cloud, options)),
-      complex_(options.nu, static_cast<int>(options.dimension), cloud.size()) {
+    : cloud_(&cloud), options_(options), lists_(lists_of(cloud, options)) {
     timeline_.dimension = options.dimension;
     timeline_.family = options.family;
     timeline_.track_count = static_cast<int>(options.nu.size());
@@ -35,14 +32,20 @@ Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
     for (std::uint32_t k = 1; k <= options.dimension; ++k) timeline_.simplices[k - 1].dimension = static_cast<int>(k);
 
     const bool follows_surface = options.family == Family::Surface || options.family == Family::Auto;
-    if (options.family != Family::Witness) delaunay_.emplace(cloud.dimension);
+    if (options.family == Family::Dilated) {
+        dilated_.emplace(cloud.dimension, options.dilated);
+    } else {
+        complex_.emplace(options.nu, static_cast<int>(options.dimension), cloud.size());
+    }
+    if (is_within_delaunay(options.family)) {
+        delaunay_.emplace(cloud.dimension);
+    } else {
+        timeline_.other_field = options.other_field;
+        general_.emplace(static_cast<int>(timeline_.dimension), std::array{options.field, options.other_field});
+    }
     if (follows_surface) {
         surface_.emplace(options.rho);
         surface_betti_.emplace();
-    }
-    if (options.family == Family::Witness) {
-        timeline_.other_field = options.other_field;
-        general_.emplace(static_cast<int>(timeline_.dimension), std::array{options.field, options.other_field});
     }
     if (options.family == Family::Delaunay) embedded_.emplace(0);
     if (options.family == Family::Auto) embedded_.emplace(1);
@@ -64,22 +67,28 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
     timeline_.epsilons.push_back(lists_.distance(lists_.farthest_comparable()));
     timeline_.delaunay_dimension.push_back(static_cast<std::uint8_t>(change == nullptr ? 0 : change->dimension));
 
-    if (change == nullptr) {
-        complex_.insert(step, lists_, entries, timeline_.simplices);
+    if (dilated_) {
+        follow_dilated(step);
+    } else if (change == nullptr) {
+        complex_->insert(step, lists_, entries, timeline_.simplices);
     } else {
-        complex_.insert(step, lists_, entries, *delaunay_, *change, timeline_.simplices);
+        complex_->insert(step, lists_, entries, *delaunay_, *change, timeline_.simplices);
     }
-    record_deaths();
+    record_deaths(dilated_ ? dilated_->deaths() : complex_->deaths());
     if (surface_) {
         const LandmarkPoints points{cloud_, &timeline_.landmarks};
-        surface_->update(step, *delaunay_, *change, complex_, complex_.deaths(), points, timeline_);
+        surface_->update(step, *delaunay_, *change, *complex_, complex_->deaths(), points, timeline_);
         timeline_.first_row_of_step.push_back(static_cast<std::uint32_t>(timeline_.surface.size()));
         timeline_.first_ended_row_of_step.push_back(timeline_.ended_rows.size());
         surface_betti_->update(*surface_, static_cast<std::uint32_t>(timeline_.surface.size()));
     }
     if (embedded_)
-        embedded_->update(step, timeline_.simplices, complex_.deaths(), *delaunay_, *change, complex_.faces());
-    if (general_) general_->update(step, timeline_.simplices, complex_);
+        embedded_->update(step, timeline_.simplices, complex_->deaths(), *delaunay_, *change, complex_->faces());
+    if (general_ && dilated_) {
+        general_->update(step, timeline_.simplices, dilated_->books(), dilated_->deaths(), dilated_->hidden());
+    } else if (general_) {
+        general_->update(step, timeline_.simplices, complex_->books(), complex_->deaths());
+    }
     record_numbers();
     timeline_.step_count = step;
     return std::nullopt;
@@ -88,7 +97,7 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
 // Asks the memory for what the insertion will touch, while the lists are at work.
 void Engine::expect(const DelaunayChange& change) const {
     const auto expect_cell = [&](CellId cell) {
-        complex_.expect(cell);
+        complex_->expect(cell);
         if (embedded_) embedded_->expect(cell);
         if (surface_) surface_->expect(cell);
     };
@@ -100,8 +109,14 @@ void Engine::expect(const DelaunayChange& change) const {
     }
 }
 
-void Engine::record_deaths() {
-    const auto deaths = complex_.deaths();
+void Engine::follow_dilated(Step step) {
+    const std::uint32_t input_index = timeline_.landmarks.back();
+    dilated_->insert(step, cloud_->point(input_index), timeline_.epsilon(step), lists_, timeline_.simplices);
+    timeline_.weights_squared.push_back(dilated_->landmarks().weight_squared(step));
+    for (const Step landmark : dilated_->hidden()) timeline_.hidden.push_back({landmark, step});
+}
+
+void Engine::record_deaths(std::span<const Death> deaths) {
     timeline_.deaths.insert(timeline_.deaths.end(), deaths.begin(), deaths.end());
     timeline_.first_death_of_step.push_back(timeline_.deaths.size());
 }
@@ -128,7 +143,8 @@ std::uint64_t Engine::hash() {
     return hash_.value();
 }
 
-// Step, landmark, bits of epsilon, births, deaths, surface rows, shown family and Betti numbers.
+// Step, landmark, bits of epsilon, births, deaths, surface rows, weight and hidden landmarks, shown family and Betti
+// numbers.
 void Engine::extend_hash(Step step) {
     hash_.add_u32(step);
     hash_.add_u32(timeline_.landmarks[step - 1]);
@@ -157,6 +173,12 @@ void Engine::extend_hash(Step step) {
         for (std::uint32_t row = rows[step]; row < rows[step + 1]; ++row) add_row(row);
         for (std::size_t i = ended[step]; i < ended[step + 1]; ++i) add_row(timeline_.ended_rows[i]);
     }
+    if (dilated_) {
+        hash_.add_f64(timeline_.weights_squared[step - 1]);
+        for (; hashed_hidden_ < timeline_.hidden.size() && timeline_.hidden[hashed_hidden_].from <= step;
+             ++hashed_hidden_)
+            hash_.add_u32(timeline_.hidden[hashed_hidden_].landmark);
+    }
     hash_.add_byte(static_cast<std::uint8_t>(timeline_.shown_family[step - 1]));
     for (const std::uint32_t beta : timeline_.betti_at(step)) hash_.add_u32(beta);
 }
@@ -165,7 +187,7 @@ std::uint64_t Engine::memory() const {
     constexpr std::uint64_t kBytesPerCell = 84 + sizeof(DelaunayCell);  // CGAL's and ours
     std::uint64_t bytes = lists_.memory();
     if (delaunay_) bytes += delaunay_->cell_capacity() * kBytesPerCell;
-    bytes += complex_.memory();
+    bytes += dilated_ ? dilated_->memory() : complex_->memory();
     for (const SimplexTable& table : timeline_.simplices) {
         bytes += sizeof(Step) * (table.vertices.capacity() + table.death[0].capacity() + table.death[1].capacity());
     }

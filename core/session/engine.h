@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "cloud/point_cloud.h"
 #include "complex/nu_complex.h"
 #include "delaunay/delaunay.h"
+#include "dilated/dilated_complex.h"
 #include "homology/embedded_betti.h"
 #include "homology/general_betti.h"
 #include "homology/surface_betti.h"
@@ -29,6 +31,7 @@ struct EngineOptions {
     double rho = 0;
     std::uint32_t field = 2;        ///< a prime; that of the Betti numbers
     std::uint32_t other_field = 3;  ///< another one, to tell torsion
+    DilatedOptions dilated = {};
 };
 
 /// One insertion after the other, through every room: lists, D(L), complex, surface, Betti numbers, and the record of
@@ -56,7 +59,8 @@ public:
 
 private:
     void expect(const DelaunayChange& change) const;
-    void record_deaths();
+    void follow_dilated(Step step);
+    void record_deaths(std::span<const Death> deaths);
     void record_numbers();
     void extend_hash(Step step);
 
@@ -65,12 +69,14 @@ private:
     Timeline timeline_;
     LandmarkLists lists_;
     std::optional<Delaunay> delaunay_;
-    NuComplex complex_;
+    std::optional<NuComplex> complex_;  // one of these two
+    std::optional<DilatedComplex> dilated_;
     std::optional<SurfaceTracker> surface_;
     std::optional<EmbeddedBetti> embedded_;
     std::optional<SurfaceBetti> surface_betti_;
     std::optional<GeneralBetti> general_;
     Step hashed_ = 0;  // steps in the hash
+    std::size_t hashed_hidden_ = 0;
     Fnv1a64 hash_;
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/words.h"
 #include "metrics/distance_rows.h"
 
 namespace plateau {
@@ -12,9 +13,11 @@ namespace plateau {
 namespace {
 
 constexpr std::uint32_t kLargestNu = 32;
+constexpr double kLargestDilation = 1;
 
+// Family dilated has no nu: these are the lists by which it looks for witnesses.
 std::vector<std::uint32_t> default_nu(Family family, std::uint32_t dimension) {
-    if (family == Family::Witness) {
+    if (family == Family::Witness || family == Family::Dilated) {
         std::vector<std::uint32_t> nu;
         for (std::uint32_t i = 0; i <= dimension; ++i) nu.push_back(i + 1);
         return nu;
@@ -40,6 +43,7 @@ bool has_delaunay(const PointCloud& cloud, Metric metric) {
 }
 
 Family default_family(const PointCloud& cloud, Metric metric) {
+    if (metric == Metric::Euclidean && (cloud.dimension == 4 || cloud.dimension == 5)) return Family::Dilated;
     if (!has_delaunay(cloud, metric)) return Family::Witness;
     return cloud.dimension == 2 ? Family::Delaunay : Family::Auto;
 }
@@ -49,9 +53,15 @@ std::optional<Error> check_family(const PointCloud& cloud, const RunOptions& opt
     if (options.metric.metric != Metric::Euclidean) {
         return invalid("Only family witness takes other metrics than the Euclidean one.");
     }
+    if (options.family == Family::Dilated) {
+        if (cloud.dimension <= kMaxDilatedDimension) return std::nullopt;
+        return invalid("Family dilated takes points with up to " + std::to_string(kMaxDilatedDimension) +
+                       " coordinates; those with " + std::to_string(cloud.dimension) + " need family witness.");
+    }
     if (!has_delaunay(cloud, Metric::Euclidean)) {
-        return invalid("Points with " + std::to_string(cloud.dimension) +
-                       " coordinates need family witness; the others are for the plane and for space.");
+        return invalid("Points with " + std::to_string(cloud.dimension) + " coordinates need family witness" +
+                       (cloud.dimension <= kMaxDilatedDimension ? " or dilated" : "") +
+                       "; the others are for the plane and for space.");
     }
     if (cloud.dimension == 2 && options.family == Family::Surface) {
         return invalid("Family surface needs points in space; for points in the plane take delaunay or witness.");
@@ -88,6 +98,9 @@ Result<RunOptions> resolved(RunOptions options, const PointCloud& cloud) {
         options.max_dimension = default_max_dimension(cloud, metric);
     }
     const std::uint32_t dimension = options.max_dimension ? *options.max_dimension + 1 : cloud.dimension;
+    if (options.family == Family::Dilated && !options.nu.empty()) {
+        return invalid("Family dilated has no nu: its witnesses are balls, see the dilation.");
+    }
     if (options.nu.empty()) options.nu = default_nu(*options.family, dimension);
     if (options.nu.size() > dimension + 1) options.nu.resize(dimension + 1);
     for (const std::uint32_t entry : options.nu) {
@@ -109,6 +122,10 @@ Result<RunOptions> resolved(RunOptions options, const PointCloud& cloud) {
     if (!(options.rho >= 0) || !std::isfinite(options.rho)) {
         return invalid("rho must be a positive number, or 0 to keep triangles of every radius-edge ratio.");
     }
+    if (!(options.dilation >= 0 && options.dilation <= kLargestDilation)) {
+        return invalid("The dilation must be from 0 to " + short_number(kLargestDilation) +
+                       ": the radius of the witnesses as a part of epsilon.");
+    }
     if (options.field > 46337 || !is_prime(options.field)) {
         return invalid("The field must be a prime from 2 to 46337; got " + std::to_string(options.field) + ".");
     }
@@ -125,6 +142,7 @@ EngineOptions engine_options(const RunOptions& resolved, std::uint32_t dimension
     engine.rho = resolved.rho;
     engine.field = resolved.field;
     engine.other_field = resolved.field == 2 ? 3 : 2;
+    engine.dilated.dilation = resolved.dilation;
     return engine;
 }
 

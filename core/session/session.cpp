@@ -119,7 +119,7 @@ std::string Session::State::why_full() const {
                       " landmarks: the run holds " + in_megabytes(memory()) + ", all that it may take. ";
     const std::uint32_t expected =
         affordable_landmarks(cloud.size(), cloud.dimension, *options.family, options.memory_limit);
-    if (*options.family != Family::Witness && steps() < expected / 2) {
+    if (is_within_delaunay(*options.family) && steps() < expected / 2) {
         why += "On a curve in space the Delaunay triangulation grows with the square of the number of landmarks. ";
     }
     return why + "All steps so far are complete.";
@@ -172,6 +172,7 @@ struct MemoryShares {
 
 MemoryShares shares_of(std::uint32_t dimension, Family family) {
     if (family == Family::Witness) return {440, 8, 900};
+    if (family == Family::Dilated) return {460, 0, 14000};
     if (dimension == 2) return {300, 13, 1300};
     if (family == Family::Delaunay) return {410, 26, 6700};
     return {410, 26, 9000};

@@ -18,7 +18,8 @@ namespace plateau {
 inline constexpr std::uint32_t kMaxBetti = 6;
 
 struct RunOptions {
-    /// Default: Delaunay in the plane, Auto in space; Witness in more dimensions and for every metric but Euclidean.
+    /// Default: Delaunay in the plane, Auto in space, Dilated in 4 and 5 dimensions; Witness in more and for every
+    /// metric but Euclidean.
     std::optional<Family> family;
     MetricOptions metric;  ///< other ones than Euclidean are for family witness
     /// Family witness: the last Betti number, of simplices up to one dimension more; at most kMaxBetti. Default: 2 for
@@ -28,9 +29,10 @@ struct RunOptions {
     std::uint32_t first = 0;        ///< 0-based input index of the first landmark
     std::uint32_t max_steps = std::numeric_limits<std::uint32_t>::max();
     double until_epsilon = 0;  ///< stop after the first step with epsilon <= this, input units
+    double dilation = 0.2;     ///< family dilated: radius of the witnesses as a part of epsilon
     double rho = 0;            ///< surface: drop triangles with radius-edge ratio above this; 0 = off
-    /// Family witness: a prime, at most 46337; Betti numbers over Z/field. Those over Z/2, or Z/3 where the field is 2,
-    /// are counted beside them and tell torsion.
+    /// Families witness and dilated: a prime, at most 46337; Betti numbers over Z/field. Those over Z/2, or Z/3 where
+    /// the field is 2, are counted beside them and tell torsion.
     std::uint32_t field = 2;
     std::uint64_t memory_limit = std::uint64_t{3} << 30;  ///< bytes the run may take; it stops when they are used up
     /// A cloud of at least this many points ends where epsilon falls to its noise, see Progress::noise. Default: never.

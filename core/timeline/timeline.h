@@ -14,7 +14,13 @@ enum class Family : std::uint8_t {
     Delaunay = 1,  ///< C_nu^W(L) within D(L)
     Surface = 2,   ///< the surface extracted from C_nu^W within D(L)
     Auto = 3,      ///< surface where it is not empty, else C_(1,2,3,4)^W within D(L)
+    Dilated = 4,   ///< the weighted witness complex with dilated witnesses [BGO]
 };
+
+/// Whether the complex is followed within the Delaunay triangulation.
+inline bool is_within_delaunay(Family family) {
+    return family != Family::Witness && family != Family::Dilated;
+}
 
 /// One triangle of the extracted surface over a run of steps: a facet seen from one outer side.
 /// The same (triangle, side) can come back later as a new row.
@@ -23,6 +29,12 @@ struct SurfaceRow {
     std::uint8_t side = 0;      ///< 0: the outer side is where (v0,v1,v2) turn counter-clockwise; 1: the other
     Step from = 0;
     Step to = kNever;  ///< in the surface at step i exactly for from <= i < to
+};
+
+/// A landmark that is no vertex: none of its cell is near a witness, because of its neighbors' weights.
+struct HiddenLandmark {
+    Step landmark = 0;
+    Step from = 0;  ///< no vertex from this step on, its own or a later one
 };
 
 /// The append-only record of a run: everything any step needs, as lifespans, for steps 1 .. step_count.
@@ -36,8 +48,11 @@ struct Timeline {
 
     std::vector<std::uint32_t> landmarks;          ///< [step-1] = 0-based input index
     std::vector<double> epsilons;                  ///< [step-1] = epsilon(step), input units, non-increasing
-    std::vector<std::uint8_t> delaunay_dimension;  ///< [step-1] = dimension m of D(L); family witness: 0
+    std::vector<std::uint8_t> delaunay_dimension;  ///< [step-1] = dimension m of D(L); 0 for families without it
     std::vector<SimplexTable> simplices;           ///< [k-1] = table of dimension k, k = 1 .. dimension
+
+    std::vector<double> weights_squared;  ///< [step-1] = omega(p)^2, input units squared; family dilated
+    std::vector<HiddenLandmark> hidden;   ///< in the order of (from, landmark); family dilated
 
     std::vector<Death> deaths;  ///< in step order; within a step by (track, dimension, tuple)
     std::vector<std::size_t> first_death_of_step = {0, 0};  ///< [s] = first death at step >= s

@@ -153,8 +153,9 @@ TEST_F(Command, BadUsageIsOneLineAndExit2) {
     refused({"run", file, "--columns", "1,9"});
     refused({"run", file, "--at", "5"});
     refused({"run", file, "--betti", "-", "--mesh", "-"});
-    EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated"}), "not in this version"));
-    EXPECT_TRUE(contains(refused({"run", file, "--family", "cech"}), "witness, delaunay, surface or auto"));
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--dilation", "1.5"}), "from 0 to 1"));
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--nu", "1,2"}), "has no nu"));
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "cech"}), "witness, delaunay, surface, auto or dilated"));
     EXPECT_TRUE(contains(refused({"sample", "cube"}), "swiss-roll"));
     refused({"sample"});
     refused({"sample", "torus", "--n", "0"});

@@ -200,6 +200,7 @@ std::string euler_complaint(const Timeline& timeline) {
             }
         }
     }
+    for (const HiddenLandmark& hidden : timeline.hidden) --change[0][hidden.from];
     std::vector<long> euler(change.size());
     for (Step step = 1; step <= timeline.step_count; ++step) {
         for (std::size_t track = 0; track < euler.size(); ++track) euler[track] += 1 + change[track][step];

@@ -32,6 +32,57 @@ double torus_residual(std::span<const double> p) {
     return std::sqrt(outward * outward + p[2] * p[2]) - 0.4;
 }
 
+double norm(double x, double y) {
+    return std::sqrt(x * x + y * y);
+}
+
+double beyond(double x, double low, double high) {
+    return std::max(0.0, std::max(low - x, x - high));
+}
+
+/// A surface with a border, or a manifold in more dimensions.
+double manifold_residual(std::string_view name, std::span<const double> p) {
+    const double around = norm(p[0], p[1]);
+    if (name == "disk") return std::abs(p[2]) + beyond(around, 0, 1);
+    if (name == "annulus") return std::abs(p[2]) + beyond(around, 0.5, 1);
+    if (name == "hemisphere") return std::abs(norm(around, p[2]) - 1) + beyond(p[2], 0, 1);
+    if (name == "mobius") {
+        // Across the band at half of the angle: (outward, up) is along (cos, sin) of it.
+        const double half = std::atan2(p[1], p[0]) / 2;
+        return std::abs((around - 1) * std::sin(half) - p[2] * std::cos(half)) + beyond(norm(around - 1, p[2]), 0, 0.4);
+    }
+    if (name == "clifford") return std::abs(around - 1) + std::abs(norm(p[2], p[3]) - 1);
+    if (name == "two-scales") return std::abs(around - 1) + std::abs(norm(p[2], p[3]) - 0.25);
+    if (name == "klein") {
+        const double half = std::atan2(p[1], p[0]) / 2;
+        return std::abs(norm(around - 1, norm(p[2], p[3])) - 0.5) +
+               std::abs(p[2] * std::sin(half) - p[3] * std::cos(half));
+    }
+    if (name == "s3") return norm(norm(p[0], p[1]), norm(p[2], p[3])) - 1;
+    if (name == "rp2") {
+        // With a = xy, b = xz, c = y^2 - z^2, d = 2 yz: d (a^2 - b^2) = 2 a b c, and x^2 = 1 - |(c, d)|.
+        const double x_squared = 1 - norm(p[2], p[3]);
+        return std::abs(p[3] * (p[0] * p[0] - p[1] * p[1]) - 2 * p[0] * p[1] * p[2]) +
+               std::abs(p[0] * p[0] + p[1] * p[1] - x_squared * (1 - x_squared));
+    }
+    if (name == "s2xs1") return std::abs(norm(around, p[2]) - 1) + std::abs(norm(p[3], p[4]) - 1);
+    if (name == "so3") {
+        double off = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j) {
+                double product = i == j ? -1 : 0;
+                for (std::size_t k = 0; k < 3; ++k) product += p[3 * i + k] * p[3 * j + k];
+                off += std::abs(product);
+            }
+        }
+        const double determinant = p[0] * (p[4] * p[8] - p[5] * p[7]) - p[1] * (p[3] * p[8] - p[5] * p[6]) +
+                                   p[2] * (p[3] * p[7] - p[4] * p[6]);
+        return off + std::abs(determinant - 1);
+    }
+    ADD_FAILURE() << "no equation for " << name;
+    return 1;
+}
+
 /// 0 on the shape, by another formula than the generator's where there is one.
 double residual(std::string_view name, std::span<const double> p) {
     const double radius =
@@ -62,18 +113,23 @@ double residual(std::string_view name, std::span<const double> p) {
         const double inner_y = 0.45 * std::sin(tenth);
         return (x - 1) * inner_y - y * (inner_x - 1);
     }
-    ADD_FAILURE() << "no equation for " << name;
-    return 1;
+    return manifold_residual(name, p);
 }
 
 TEST(Samples, EveryShapeOfTheContractInItsOrder) {
     const std::vector<std::string> names = {"circle-noise", "nested-circles", "corner-curve", "sphere",  "torus",
-                                            "double-torus", "helix",          "tanglecube",   "trefoil", "swiss-roll"};
+                                            "double-torus", "helix",          "tanglecube",   "trefoil", "swiss-roll",
+                                            "disk",         "hemisphere",     "mobius",       "annulus", "clifford",
+                                            "klein",        "s3",             "rp2",          "two-scales", "s2xs1",
+                                            "so3"};
+    const std::map<std::string_view, std::uint32_t> in_more_dimensions = {
+        {"clifford", 4}, {"klein", 4}, {"s3", 4}, {"rp2", 4}, {"two-scales", 4}, {"s2xs1", 5}, {"so3", 9}};
     ASSERT_EQ(sample_shapes().size(), names.size());
     for (std::size_t k = 0; k < names.size(); ++k) {
         const SampleShape& shape = sample_shapes()[k];
         EXPECT_EQ(shape.name, names[k]);
-        EXPECT_EQ(shape.dimension, k < 3 ? 2u : 3u);
+        const auto more = in_more_dimensions.find(shape.name);
+        EXPECT_EQ(shape.dimension, more != in_more_dimensions.end() ? more->second : k < 3 ? 2u : 3u);
         EXPECT_GE(shape.default_size, 1000u);
         EXPECT_TRUE(shape.look_for.ends_with(".")) << shape.name;
     }
@@ -86,6 +142,17 @@ TEST(Samples, SameBitsOnEveryMachine) {
         {"torus", 0x0e3cc628cfa02133ull},        {"double-torus", 0x2f2dd3202bc0ef80ull},
         {"helix", 0x6630135caa049451ull},        {"tanglecube", 0xac8aed55a8b97cddull},
         {"trefoil", 0x24b479000f96e5b0ull},      {"swiss-roll", 0xb1682d000a38175eull},
+        {"disk", 0x02283c86f8cc229dull},
+        {"hemisphere", 0xc946456a5efb6b50ull},
+        {"mobius", 0x66b10d0b33077e88ull},
+        {"annulus", 0x50a40b46c66ed4d2ull},
+        {"clifford", 0xf2b726b37e8b18b7ull},
+        {"klein", 0x2c645237bd7a6e51ull},
+        {"s3", 0xf37654553749beb1ull},
+        {"rp2", 0x52618854b3cbcac5ull},
+        {"two-scales", 0x1490cf0217dfa0fdull},
+        {"s2xs1", 0x02e764e28fb65057ull},
+        {"so3", 0x25abc3b2109a5eabull},
     };
     for (const SampleShape& shape : sample_shapes()) {
         ASSERT_TRUE(golden.contains(shape.name)) << shape.name;
@@ -151,6 +218,37 @@ TEST(Samples, TorusIsUniformByArea) {
     EXPECT_NEAR(outer / cloud.size(), 0.5 + 0.4 / 3.14159265, 0.01);
 }
 
+TEST(Samples, KleinBottleAndMobiusBandAreUniformByArea) {
+    // Shares of the outer half by the integral of the lengths along both angles.
+    const auto share = [](auto&& area_at, double low, double high, auto&& is_outer) {
+        double outer = 0;
+        double all = 0;
+        for (int i = 0; i < 400; ++i) {
+            for (int j = 0; j < 400; ++j) {
+                const double u = 6.283185307179586 * (i + 0.5) / 400;
+                const double v = low + (high - low) * (j + 0.5) / 400;
+                all += area_at(u, v);
+                if (is_outer(u, v)) outer += area_at(u, v);
+            }
+        }
+        return outer / all;
+    };
+    const auto found = [](const char* name) {
+        const PointCloud cloud = sampled(name, {.size = 40'000, .noise = 0, .seed = 4});
+        double outer = 0;
+        for (std::uint32_t k = 0; k < cloud.size(); ++k) outer += norm(cloud.point(k)[0], cloud.point(k)[1]) > 1;
+        return outer / cloud.size();
+    };
+    EXPECT_NEAR(found("klein"),
+                share([](double, double v) { return norm(1 + 0.5 * std::cos(v), 0.25 * std::sin(v)); }, 0,
+                      6.283185307179586, [](double, double v) { return std::cos(v) > 0; }),
+                0.01);
+    EXPECT_NEAR(found("mobius"),
+                share([](double u, double s) { return norm(1 + s * std::cos(u / 2), s / 2); }, -0.4, 0.4,
+                      [](double u, double s) { return s * std::cos(u / 2) > 0; }),
+                0.01);
+}
+
 TEST(Samples, NoTwoPointsNearlyCoincide) {
     // Half of the mean spacing for the random surfaces and curves; a purely random sample would be far below.
     for (const auto& [name, spacing] :
@@ -192,7 +290,7 @@ TEST(Samples, NoiseIsABallOfItsRadiusAndMovesNothingElse) {
             inner_half += distance < 0.125;
         }
         EXPECT_GT(largest, 0.24) << shape.name;
-        EXPECT_NEAR(inner_half / clean.size(), shape.dimension == 2 ? 0.25 : 0.125, 0.03) << shape.name;
+        EXPECT_NEAR(inner_half / clean.size(), std::pow(0.5, shape.dimension), 0.03) << shape.name;
     }
 }
 

@@ -85,9 +85,13 @@ TEST(MetricOptions, WhatIsFilledIn) {
     EXPECT_EQ(filled_in(uniform(3, 9), {}).family, Family::Auto);
     EXPECT_FALSE(filled_in(uniform(3, 9), {}).max_dimension);
     const RunOptions four = filled_in(uniform(4, 9), {});
-    EXPECT_EQ(four.family, Family::Witness);
-    EXPECT_EQ(four.max_dimension, 3u);
-    EXPECT_EQ(four.nu, (std::vector<std::uint32_t>{1, 2, 3, 4, 5}));
+    EXPECT_EQ(four.family, Family::Dilated);
+    EXPECT_FALSE(four.max_dimension);
+    EXPECT_EQ(filled_in(uniform(5, 9), {}).family, Family::Dilated);
+    const RunOptions six = filled_in(uniform(6, 9), {});
+    EXPECT_EQ(six.family, Family::Witness);
+    EXPECT_EQ(six.max_dimension, 5u);
+    EXPECT_EQ(six.nu, (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7}));
     EXPECT_EQ(filled_in(uniform(7, 9), {}).max_dimension, 6u);
     EXPECT_EQ(filled_in(uniform(50, 9), {}).max_dimension, 2u);
     for (const Metric metric : {Metric::L1, Metric::LInf, Metric::Angular, Metric::Projective, Metric::Geodesic}) {
@@ -102,13 +106,13 @@ TEST(MetricOptions, WhatIsFilledIn) {
 
 TEST(MetricOptions, WhatIsRefused) {
     const PointCloud cloud = uniform(3, 9);
-    for (const Family family : {Family::Delaunay, Family::Surface, Family::Auto}) {
+    for (const Family family : {Family::Delaunay, Family::Surface, Family::Auto, Family::Dilated}) {
         RunOptions options = by(Metric::L1);
         options.family = family;
         EXPECT_NE(refusal(cloud, options).find("Only family witness"), std::string::npos);
         options = {};
         options.family = family;
-        EXPECT_NE(refusal(uniform(4, 9), options).find("Points with 4 coordinates"), std::string::npos);
+        EXPECT_NE(refusal(uniform(6, 9), options).find("6 coordinates"), std::string::npos);
         options.metric.metric = Metric::Matrix;
         EXPECT_NE(refusal(matrix_of(4), options).find("Only family witness"), std::string::npos);
     }

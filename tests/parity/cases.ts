@@ -148,18 +148,54 @@ function ofMetrics(): Case[] {
 }
 
 /** Options as the command takes them, and a name for them. */
-function worded({ metric, box, knn, maxDimension, field }: RunOptions): { name: string; words: string[] } {
+function worded({ metric, box, knn, maxDimension, field, dilation, maxSteps }: RunOptions): { name: string; words: string[] } {
   const words = [
     ...(metric === undefined ? [] : ['--metric', metric]),
     ...(box === undefined ? [] : ['--box', box.join()]),
     ...(knn === undefined ? [] : ['--knn', String(knn)]),
     ...(maxDimension === undefined ? [] : ['--max-dim', String(maxDimension)]),
     ...(field === undefined ? [] : ['--field', String(field)]),
+    ...(dilation === undefined ? [] : ['--dilation', String(dilation)]),
+    ...(maxSteps === undefined ? [] : ['--steps', String(maxSteps)]),
   ];
   return { name: words.join(' '), words };
 }
 
-/** Every shape and data file, the bunny, and grids, each with all families of its dimension; every metric. */
+/** Family `dilated`: manifolds in more dimensions, a border, and ties that only the smallest weights break. */
+function ofDilated(): Case[] {
+  const shapes: readonly (readonly [string, RunOptions])[] = [
+    ['clifford', {}],
+    ['klein', { field: 3 }],
+    ['s2xs1', { dilation: 0.4 }],
+    ['mobius', {}],
+    ['torus', { dilation: 0.3 }],
+  ];
+  const sized = full ? 5_000 : 400;
+  const sampled = shapes.map(([shape, options]) => ({
+    shape,
+    options: { ...options, maxSteps: full ? 200 : 90 },
+    text: plateau(['sample', shape, '--n', String(sized)]),
+  }));
+  const grids = [grid([9, 8], 0.1), grid([4, 4, 3], 0.1), grid([3, 3, 2, 2], 0.25)].map((text, i) => ({
+    shape: `grid in R^${i + 2}`,
+    options: { dilation: 0.5 },
+    text,
+  }));
+  return [...sampled, ...grids].map(({ shape, options, text }): Case => {
+    const { name, words } = worded(options);
+    return {
+      name: `${shape} ${name}`.trim(),
+      family: 'dilated',
+      fileName: 'points.txt',
+      text,
+      words,
+      options,
+      anyDimension: true,
+    };
+  });
+}
+
+/** Every shape and data file, the bunny, and grids, each with all families of its dimension; every metric; `dilated`. */
 export function cases(): Case[] {
-  return [...ofShapes(), ...ofFiles(), ...ofBunny(), ...ofGrids(), ...ofMetrics()];
+  return [...ofShapes(), ...ofFiles(), ...ofBunny(), ...ofGrids(), ...ofMetrics(), ...ofDilated()];
 }

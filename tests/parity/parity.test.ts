@@ -12,14 +12,9 @@ beforeAll(async () => {
 
 const all = cases();
 
-test('the page offers the shapes of the core, with their sizes', () => {
-  const offered = COMPUTED_SAMPLES.map(({ shape, size }) => `${shape} ${size}`).sort();
-  expect(offered).toEqual(
-    module
-      .sampleShapes()
-      .map(({ name, defaultSize }) => `${name} ${defaultSize}`)
-      .sort(),
-  );
+test('the page offers shapes of the core, with their sizes', () => {
+  const known = module.sampleShapes().map(({ name, defaultSize }) => `${name} ${defaultSize}`);
+  for (const { shape, size } of COMPUTED_SAMPLES) expect(known).toContain(`${shape} ${size}`);
 });
 
 describe('the module computes what the command computes', () => {

@@ -142,7 +142,7 @@ describe('options of a run', () => {
     expect(refusal(source, {})).toMatch(/choose the coordinates/);
     const run = new module.Run({ ...source, anyDimension: true } as never, {});
     const answer = opened(run);
-    expect(answer).toMatchObject({ points: 4, dimension: 4, bettiCount: 4, family: 'witness' });
+    expect(answer).toMatchObject({ points: 4, dimension: 4, bettiCount: 4, family: 'dilated' });
     const { projection } = answer;
     if (!projection) throw new Error('nothing to draw');
     // Four points span three dimensions.

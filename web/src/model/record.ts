@@ -3,7 +3,14 @@ import { ChunkedColumn, LifespanStore } from './chunks.ts';
 
 /** Steps in one block of extremes. */
 const BLOCK = 256;
-const SHOWN_FAMILIES: readonly ShownFamily[] = ['witness', 'delaunay', 'surface'];
+/** By number; the fourth is `auto`, which is never shown. */
+const SHOWN_FAMILIES: readonly (ShownFamily | undefined)[] = [
+  'witness',
+  'delaunay',
+  'surface',
+  undefined,
+  'dilated',
+];
 
 /** The name of a shown family in the numbering of the protocol. */
 export function shownFamilyName(code: number): ShownFamily {

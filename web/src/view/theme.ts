@@ -29,7 +29,8 @@ function color(name: string): Color {
 
 function byFamily(name: string): Record<ShownFamily, Color> {
   const delaunay = color(`${name}-delaunay`);
-  return { delaunay, witness: color(`${name}-witness`), surface: delaunay };
+  const witness = color(`${name}-witness`);
+  return { delaunay, witness, surface: delaunay, dilated: witness };
 }
 
 export function sceneTheme(): SceneTheme {

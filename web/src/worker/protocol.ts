@@ -4,9 +4,9 @@
  * with the same id (its answer or `failed`).
  */
 
-export type Family = 'witness' | 'delaunay' | 'surface' | 'auto';
+export type Family = 'witness' | 'delaunay' | 'surface' | 'auto' | 'dilated';
 /** Which complex a step shows; never `auto`. */
-export type ShownFamily = 'witness' | 'delaunay' | 'surface';
+export type ShownFamily = 'witness' | 'delaunay' | 'surface' | 'dilated';
 
 /** How far two points are from each other; all but `euclidean` are for family `witness`. */
 export type Metric =
@@ -29,9 +29,11 @@ export interface RunOptions {
   readonly box?: readonly number[];
   /** Family `witness`: the last Betti number, at most 6. */
   readonly maxDimension?: number;
-  /** Family `witness`: Betti numbers over Z/p for this prime p. */
+  /** Families `witness` and `dilated`: Betti numbers over Z/p for this prime p. */
   readonly field?: number;
   readonly nu?: readonly number[];
+  /** Family `dilated`: radius of the witnesses as a part of epsilon; absent: 0.2. */
+  readonly dilation?: number;
   /** 0-based input index of the first landmark. */
   readonly first?: number;
   readonly maxSteps?: number;

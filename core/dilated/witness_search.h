@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dilated/cell_distance.h"
+#include "dilated/witness_balls.h"
+#include "landmarks/landmark_lists.h"
+
+namespace plateau {
+
+/// A witness of a simplex: how far it is from the cell, and its nearest point there.
+struct Watch {
+    WitnessId witness = 0;
+    double distance_squared = 0;
+    double power = 0;  ///< largest power of a vertex at `nearest`
+    std::array<double, kMaxDilatedDimension> nearest{};
+};
+
+/// Looks for witnesses of simplices: a descent into the tree that leaves out what provably has none.
+class WitnessSearch {
+public:
+    /// `lists` by a prepared tree; both must outlive this.
+    WitnessSearch(const LandmarkLists& lists, const WeightedLandmarks& landmarks)
+        : lists_(&lists), landmarks_(&landmarks), balls_(lists.tree()), cell_(landmarks) {}
+
+    /// A witness at a distance of at most zeta from the cell of the simplex, vertices ascending; nothing if there is
+    /// none. `hint`: a point near which to look first.
+    std::optional<Watch> find(std::span<const Step> simplex, double zeta, const double* hint);
+    /// The same for this witness alone.
+    std::optional<Watch> look_at(std::span<const Step> simplex, double zeta, WitnessId witness);
+    /// No landmark farther from the youngest, p, is in a simplex with it that has a witness within zeta.
+    double reach(double zeta);
+
+    std::uint64_t memory() const { return balls_.memory(); }
+
+private:
+    const double* point(WitnessId witness) const { return balls_.tree().point(witness); }
+    bool is_far(WitnessId witness, double limit) const;
+    std::optional<Watch> examine(WitnessId witness, double zeta, double far, bool& excluded);
+    double list_reach(WitnessId witness, double slack) const;
+
+    const LandmarkLists* lists_;
+    const WeightedLandmarks* landmarks_;
+    WitnessBalls balls_;
+    CellDistance cell_;
+    std::span<const Step> simplex_;
+    std::vector<std::uint32_t> pending_;
+};
+
+}  // namespace plateau

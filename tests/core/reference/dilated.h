@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "cloud/point_cloud.h"
+#include "reference/complex.h"
+
+namespace plateau::reference {
+
+/// What says how the complex of family dilated looks at a step.
+struct DilatedSettings {
+    std::vector<int> landmarks;           ///< input indices, by step
+    std::vector<double> weights_squared;  ///< omega(p)^2, by step
+    double zeta = 0;
+    double doubt = 0;  ///< a simplex whose distance is that near to zeta is in doubt
+};
+
+struct DilatedState {
+    Complex complex;
+    bool in_doubt = false;  ///< some simplex is
+};
+
+/// The weighted witness complex with dilated witnesses from its definition: every witness, every landmark, a least
+/// distance program by non-negative least squares for each pair of witness and simplex that no single constraint keeps
+/// apart.
+DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& settings);
+
+}  // namespace plateau::reference
