@@ -42,8 +42,12 @@ bool has_delaunay(const PointCloud& cloud, Metric metric) {
     return metric == Metric::Euclidean && cloud.dimension <= 3;
 }
 
-Family default_family(const PointCloud& cloud, Metric metric) {
-    if (metric == Metric::Euclidean && (cloud.dimension == 4 || cloud.dimension == 5)) return Family::Dilated;
+Family default_family(const PointCloud& cloud, const RunOptions& options) {
+    const Metric metric = options.metric.metric;
+    const bool asks_for_witness = !options.nu.empty() || options.max_dimension;
+    if (metric == Metric::Euclidean && (cloud.dimension == 4 || cloud.dimension == 5)) {
+        return asks_for_witness ? Family::Witness : Family::Dilated;
+    }
     if (!has_delaunay(cloud, metric)) return Family::Witness;
     return cloud.dimension == 2 ? Family::Delaunay : Family::Auto;
 }
@@ -82,7 +86,7 @@ std::uint32_t default_max_dimension(const PointCloud& cloud, Metric metric) {
 Result<RunOptions> resolved(RunOptions options, const PointCloud& cloud) {
     const Metric metric = options.metric.metric;
     if (auto error = check_metric(cloud, options.metric)) return std::move(*error);
-    if (!options.family) options.family = default_family(cloud, metric);
+    if (!options.family) options.family = default_family(cloud, options);
     if (auto error = check_family(cloud, options)) return std::move(*error);
     if (cloud.dimension == 2 && options.family == Family::Auto) options.family = Family::Delaunay;
 

@@ -18,8 +18,8 @@ namespace plateau {
 inline constexpr std::uint32_t kMaxBetti = 6;
 
 struct RunOptions {
-    /// Default: Delaunay in the plane, Auto in space, Dilated in 4 and 5 dimensions; Witness in more and for every
-    /// metric but Euclidean.
+    /// Default: Delaunay in the plane, Auto in space, Dilated in 4 and 5 dimensions; Witness in more, for every metric
+    /// but Euclidean, and in 4 and 5 dimensions where nu or max_dimension ask for it.
     std::optional<Family> family;
     MetricOptions metric;  ///< other ones than Euclidean are for family witness
     /// Family witness: the last Betti number, of simplices up to one dimension more; at most kMaxBetti. Default: 2 for
