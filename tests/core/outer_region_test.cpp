@@ -63,10 +63,12 @@ void expect_flooded_at_every_step(const PointCloud& cloud, const std::vector<std
         const std::uint32_t hint = lists.list(lists.witness(step - 1))[0];
         const DelaunayChange& change = *delaunay.insert(step, cloud.point(step - 1), hint).value();
         landmarks.push_back(step - 1);
+        const Deadline deadline(1e300);
+        Slice slice(deadline);
         complex.insert(step, lists, lists.insert(step - 1, step), delaunay, change, tables);
         if (change.dimension < 3) continue;
-        peeling.update(step, tables, complex, complex.deaths(), points, !started);
-        region.update(step, delaunay, change, complex.faces(), peeling, !started);
+        ASSERT_TRUE(peeling.update(step, tables, complex, complex.deaths(), points, !started, slice));
+        ASSERT_TRUE(region.update(step, delaunay, change, complex.faces(), peeling, !started, slice));
         started = true;
         const std::vector<bool> expected = flooded(delaunay, complex.faces(), peeling);
         for (CellId cell = 0; cell < expected.size(); ++cell) {
