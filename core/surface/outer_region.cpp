@@ -38,10 +38,11 @@ void OuterRegion::begin(const Context& context, bool all) {
     });
 }
 
+// Where infinite cells died others stay beside them, since a landmark never sees the whole hull: so the outside is
+// among the suspects when it has to be.
 void OuterRegion::suspect_around_died(const Context& context) {
     for (const CellId id : context.change.died) {
         if (!outer(id)) continue;
-        if (cells_[id].infinite) suspects_.push_back(kOutside);
         for (int i = 0; i < 4; ++i) {
             const CellId neighbor = context.delaunay.cell(id).neighbor[static_cast<std::size_t>(i)];
             if (!closed(id, i) && context.delaunay.cell(neighbor).alive) suspects_.push_back(node(neighbor));
