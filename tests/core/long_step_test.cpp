@@ -78,10 +78,10 @@ TEST(LongStep, AStepIsWhatIsCountedAlsoWhereItIsCut) {
     EXPECT_EQ(session.progress().state, RunState::Finished);
 }
 
-// What does not show in the rows: a triangle that leaves K asks for each of its edges, and a cell that opens is
-// flooded.
+// What does not show in the rows: a triangle that leaves K asks for each of its edges, one that comes back has its
+// certificate checked, and a cell that opens is flooded.
 TEST(LongStep, PeelingAndFloodingAreCut) {
-    const PointCloud cloud = shape("sphere", 4000);
+    const PointCloud cloud = shape("torus", 8000);
     LandmarkLists lists(cloud, 6);
     ASSERT_TRUE(lists.prepare(Deadline(1e300)));
     Delaunay delaunay(3);
@@ -95,8 +95,9 @@ TEST(LongStep, PeelingAndFloodingAreCut) {
     const Deadline passed(0);
     bool started = false;
     std::size_t most_left = 0;
+    std::size_t most_entered = 0;
     std::size_t most_flipped = 0;
-    for (Step step = 1; step <= 1200; ++step) {
+    for (Step step = 1; step <= 2200; ++step) {
         const std::uint32_t next = step == 1 ? 0 : lists.farthest();
         const std::uint32_t hint = lists.list(lists.witness(next))[0];
         const DelaunayChange& change = *delaunay.insert(step, cloud.point(next), hint).value();
@@ -114,6 +115,8 @@ TEST(LongStep, PeelingAndFloodingAreCut) {
             return peeling.update(step, tables, complex, complex.deaths(), points, !started, slice);
         });
         ASSERT_GE(parts * Slice::kUnits, 3 * peeling.left().size()) << "step " << step;
+        const std::size_t born = tables[1].size() - tables[1].first_of_step[step];
+        ASSERT_GE(parts * Slice::kUnits + born, peeling.entered().size()) << "step " << step;
         in_parts([&](Slice& slice) {
             return region.update(step, delaunay, change, complex.faces(), peeling, !started, slice);
         });
@@ -122,9 +125,11 @@ TEST(LongStep, PeelingAndFloodingAreCut) {
         ASSERT_GE(parts * Slice::kUnits, static_cast<std::size_t>(opened)) << "step " << step;
         started = true;
         most_left = std::max(most_left, peeling.left().size());
+        most_entered = std::max(most_entered, peeling.entered().size());
         most_flipped = std::max(most_flipped, static_cast<std::size_t>(opened));
     }
     EXPECT_GT(most_left, 5000u) << "else the cloud does not ask what it is here to ask";
+    EXPECT_GT(most_entered, 5000u) << "else the cloud does not ask what it is here to ask";
     EXPECT_GT(most_flipped, 3000u) << "else the cloud does not ask what it is here to ask";
 }
 
