@@ -32,7 +32,7 @@ export interface ModuleRun {
   open(
     budgetMs: number,
   ): { readonly kind: 'reading' } | { readonly kind: 'opened'; readonly opened: OpenedRun } | Failed;
-  /** Whole steps until the budget (milliseconds, steps) is spent; at least one unit of work. */
+  /** Until the budget (milliseconds, steps) is spent, at least one unit of work: whole steps, or a part of a long one. */
   run(budgetMs: number, maxSteps: number): Progress | Failed;
   /** Lifts the stop at the noise: what ended there goes on. */
   runPastNoise(): { readonly kind: 'lifted' } | Failed;

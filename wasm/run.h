@@ -21,8 +21,8 @@ public:
 
     /// Reads on for about `budget_ms`: {kind: 'reading'}, then once {kind: 'opened', opened}, or {kind: 'failed'}.
     emscripten::val open(double budget_ms);
-    /// Computes for about `budget_ms` or `max_steps` steps, whichever ends first, at least one unit: {kind:
-    /// 'progress'}.
+    /// Computes for about `budget_ms` or `max_steps` steps, whichever ends first, at least one unit, which can be a
+    /// part of a long step: {kind: 'progress'}.
     emscripten::val run(double budget_ms, std::uint32_t max_steps);
     /// Lifts the stop at the noise; run() goes on after it: {kind: 'lifted'}.
     emscripten::val run_past_noise();
@@ -32,7 +32,7 @@ public:
     emscripten::val plateaus() const;
     /// `format`: 'betti-csv', 'plateaus-json' or 'mesh-ply'; `step`: 1-based, or undefined for the default.
     emscripten::val export_file(const std::string& format, const emscripten::val& step) const;
-    /// 16 hexadecimal digits over all complete steps.
+    /// 16 hexadecimal digits over all complete steps. Cost: the steps since the last call, or the last delta.
     std::string hash() const;
 
 private:

@@ -41,24 +41,17 @@ public:
     void remove_edge(Node a, Node b) { unite(&Slot::removed, slot(a), slot(b)); }
 
     /// Ends the step: all changes are named. `visit_neighbors(node, use)` calls use(neighbor) by the graph as it is
-    /// now. `cut_off(visit)` is called for every piece that came off, never with the endless node; `visit(use)` calls
-    /// use(node) for its nodes.
-    template <class VisitNeighbors, class CutOff>
-    void settle(const VisitNeighbors& visit_neighbors, const CutOff& cut_off) {
+    /// now.
+    template <class VisitNeighbors>
+    void settle(const VisitNeighbors& visit_neighbors) {
         label_added();
         find_suspects();
         const auto label_of = [&](Node node) -> ComponentLabels::Label& { return states_[node].label; };
         labels_.for_each_shared(suspects_, label_of, [&](std::span<const Node> suspects) {
-            search_.run(suspects, visit_neighbors, endless_, [&](const auto& visit_piece) {
-                labels_.cut_off(visit_piece, label_of);
-                cut_off(visit_piece);
-            });
+            search_.run(suspects, visit_neighbors, endless_,
+                        [&](const auto& visit_piece) { labels_.cut_off(visit_piece, label_of); });
         });
         slots_.clear();
-    }
-    template <class VisitNeighbors>
-    void settle(const VisitNeighbors& visit_neighbors) {
-        settle(visit_neighbors, [](const auto&) {});
     }
 
     /// Number of components after the last settled step.

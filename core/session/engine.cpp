@@ -51,39 +51,47 @@ Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
     if (options.family == Family::Auto) embedded_.emplace(1);
 }
 
-std::optional<Error> Engine::insert(std::uint32_t input_index) {
+std::optional<Error> Engine::begin_step(std::uint32_t input_index) {
     const Step step = timeline_.step_count + 1;
     const std::uint32_t nearest = lists_.list(lists_.witness(input_index))[0];
 
-    const DelaunayChange* change = nullptr;
     if (delaunay_) {
         auto inserted = delaunay_->insert(step, cloud_->point(input_index), nearest);
         if (!inserted) return inserted.error();
-        change = inserted.value();
-        expect(*change);
+        change_ = inserted.value();
+        expect(*change_);
     }
     const auto entries = lists_.insert(input_index, step);
     timeline_.landmarks.push_back(input_index);
     timeline_.epsilons.push_back(lists_.distance(lists_.farthest_comparable()));
-    timeline_.delaunay_dimension.push_back(static_cast<std::uint8_t>(change == nullptr ? 0 : change->dimension));
+    timeline_.delaunay_dimension.push_back(static_cast<std::uint8_t>(change_ == nullptr ? 0 : change_->dimension));
 
     if (dilated_) {
         follow_dilated(step);
-    } else if (change == nullptr) {
+    } else if (change_ == nullptr) {
         complex_->insert(step, lists_, entries, timeline_.simplices);
     } else {
-        complex_->insert(step, lists_, entries, *delaunay_, *change, timeline_.simplices);
+        complex_->insert(step, lists_, entries, *delaunay_, *change_, timeline_.simplices);
     }
     record_deaths(dilated_ ? dilated_->deaths() : complex_->deaths());
+    return std::nullopt;
+}
+
+bool Engine::finish_step(const Deadline& deadline) {
+    const Step step = timeline_.step_count + 1;
     if (surface_) {
         const LandmarkPoints points{cloud_, &timeline_.landmarks};
-        surface_->update(step, *delaunay_, *change, *complex_, complex_->deaths(), points, timeline_);
+        Slice slice(deadline);
+        if (!surface_->update(step, *delaunay_, *change_, *complex_, complex_->deaths(), points, timeline_, slice)) {
+            return false;
+        }
         timeline_.first_row_of_step.push_back(static_cast<std::uint32_t>(timeline_.surface.size()));
         timeline_.first_ended_row_of_step.push_back(timeline_.ended_rows.size());
         surface_betti_->update(*surface_, static_cast<std::uint32_t>(timeline_.surface.size()));
     }
-    if (embedded_)
-        embedded_->update(step, timeline_.simplices, complex_->deaths(), *delaunay_, *change, complex_->faces());
+    if (embedded_) {
+        embedded_->update(step, timeline_.simplices, complex_->deaths(), *delaunay_, *change_, complex_->faces());
+    }
     if (general_ && dilated_) {
         general_->update(step, timeline_.simplices, dilated_->books(), dilated_->deaths(), dilated_->hidden());
     } else if (general_) {
@@ -91,7 +99,7 @@ std::optional<Error> Engine::insert(std::uint32_t input_index) {
     }
     record_numbers();
     timeline_.step_count = step;
-    return std::nullopt;
+    return true;
 }
 
 // Asks the memory for what the insertion will touch, while the lists are at work.

@@ -45,8 +45,13 @@ public:
     bool prepare(const Deadline& deadline) { return lists_.prepare(deadline); }
     std::optional<Error> failure() const { return lists_.failure(); }
 
-    /// Inserts the landmark with this input index. An error leaves the steps before it intact.
-    std::optional<Error> insert(std::uint32_t input_index);
+    /// Begins a step, which inserts the landmark with this input index. An error leaves the steps before it intact.
+    std::optional<Error> begin_step(std::uint32_t input_index);
+    /// Whether a step is begun and not complete.
+    bool in_step() const { return timeline_.landmarks.size() > timeline_.step_count; }
+    /// Goes on with the step until the deadline; true when it is complete. Only the surface makes a step long enough to
+    /// be cut.
+    bool finish_step(const Deadline& deadline);
     /// The next landmark, farthest first, after the first insertion.
     std::uint32_t farthest() const { return lists_.farthest(); }
 
@@ -69,7 +74,8 @@ private:
     Timeline timeline_;
     LandmarkLists lists_;
     std::optional<Delaunay> delaunay_;
-    std::optional<NuComplex> complex_;  // one of these two
+    const DelaunayChange* change_ = nullptr;  // of the last step; none without D(L)
+    std::optional<NuComplex> complex_;        // one of these two
     std::optional<DilatedComplex> dilated_;
     std::optional<SurfaceTracker> surface_;
     std::optional<EmbeddedBetti> embedded_;

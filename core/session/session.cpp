@@ -41,7 +41,7 @@ struct Session::State {
     // tables at most natively, 1.3 times the tables in the module.
     std::uint64_t memory() const { return engine.memory() / 10 * 13 + matrix_bytes; }
     void measure_noise(const Deadline& deadline);
-    void insert_next();
+    bool insert_next(const Deadline& deadline);
     std::string why_full() const;
 };
 
@@ -81,7 +81,7 @@ Progress Session::run(const Budget& budget) {
         if (s.end != RunState::Stopped && s.noise_is_due()) {
             s.measure_noise(deadline);
         } else if (s.end == RunState::Running && inserted < budget.steps) {
-            s.insert_next();
+            if (!s.insert_next(deadline)) break;
             ++inserted;
         } else {
             break;
@@ -90,13 +90,17 @@ Progress Session::run(const Budget& budget) {
     return progress();
 }
 
-void Session::State::insert_next() {
-    const std::uint32_t next = steps() == 0 ? options.first : engine.farthest();
-    if (auto failure = engine.insert(next)) {
-        stopped = std::move(failure);
-        end = RunState::Stopped;
-        return;
+// Goes on with a step that was begun, or begins the next; false where the deadline ends it.
+bool Session::State::insert_next(const Deadline& deadline) {
+    if (!engine.in_step()) {
+        const std::uint32_t next = steps() == 0 ? options.first : engine.farthest();
+        if (auto failure = engine.begin_step(next)) {
+            stopped = std::move(failure);
+            end = RunState::Stopped;
+            return true;
+        }
     }
+    if (!engine.finish_step(deadline)) return false;
     const double epsilon = engine.timeline().epsilon(steps());
     const bool done = steps() == std::min(cloud.size(), options.max_steps) || epsilon <= options.until_epsilon;
     ended_at_noise = !done && epsilon <= noise;
@@ -106,6 +110,7 @@ void Session::State::insert_next() {
         stopped = Error{ErrorCode::OutOfMemory, why_full()};
         end = RunState::Stopped;
     }
+    return true;
 }
 
 void Session::State::measure_noise(const Deadline& deadline) {

@@ -39,7 +39,8 @@ struct RunOptions {
     std::uint32_t noise_stop_from = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// How much run() does before it returns. Budgets decide when to return, never what is computed.
+/// How much run() does before it returns. Budgets decide when to return, never what is computed. Time may run out
+/// within a step; it is gone on with at the next call, and shows nowhere before it is complete.
 struct Budget {
     double milliseconds = std::numeric_limits<double>::infinity();
     std::uint32_t steps = std::numeric_limits<std::uint32_t>::max();
@@ -77,7 +78,8 @@ public:
     Session& operator=(Session&&) noexcept;
     ~Session();
 
-    /// Works until the budget is spent: at least one slice of preparation or one whole step, with its Betti numbers.
+    /// Works until the budget is spent: at least one slice of preparation, one whole step with its Betti numbers, or a
+    /// part of a long one.
     Progress run(const Budget& budget);
     Progress progress() const;
     /// Lifts the stop at the noise: the same run goes on to its end, nothing is computed again. Without such a stop it

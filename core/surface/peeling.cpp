@@ -6,9 +6,30 @@
 
 namespace plateau {
 
-void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex,
-                     std::span<const Death> deaths, const LandmarkPoints& points, bool all) {
+bool Peeling::update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex,
+                     std::span<const Death> deaths, const LandmarkPoints& points, bool all, Slice& slice) {
     const Context context{tables[0], tables[1], complex, points};
+    switch (stage_) {
+        case Stage::Begin:
+            begin(step, all, context);
+            stage_ = Stage::Births;
+            [[fallthrough]];
+        case Stage::Births:
+            if (!check_certificates(context, slice)) return false;
+            bury(deaths, context);
+            stage_ = Stage::Deaths;
+            [[fallthrough]];
+        case Stage::Deaths:
+            if (!peel(context, slice)) return false;
+            report_changes();
+            stage_ = Stage::Begin;
+    }
+    return true;
+}
+
+// Births first, while what dies is still there: else every insertion would tear a hole, peel the surface from its rim
+// and put it back. The order does not matter to K.
+void Peeling::begin(Step step, bool all, const Context& context) {
     now_ = step;
     touched_.clear();
     first_.resize(context.edges.size(), kEnd);
@@ -17,26 +38,23 @@ void Peeling::update(Step step, const std::vector<SimplexTable>& tables, const N
     states_.resize(count);
     next_.resize(3 * count, kEnd);
 
-    // Births first, while what dies is still there: else every insertion would tear a hole, peel the surface from its
-    // rim and put it back. The order does not matter to K.
     std::vector<SimplexIndex> born;
     const SimplexIndex first_new = all ? 0 : context.triangles.first_of_step[step];
     for (SimplexIndex triangle = first_new; triangle < context.triangles.size(); ++triangle) {
         if (context.triangles.lives(triangle, 0, step) && ratio_allowed(triangle, context)) born.push_back(triangle);
     }
-    admit(born, context);
+    if (!born.empty()) admit(born, context);
+}
 
-    std::vector<SimplexIndex> edges;
+void Peeling::bury(std::span<const Death> deaths, const Context& context) {
     for (const Death& death : deaths) {
         if (death.track != 0 || death.dimension != 2 || !states_[death.simplex].present) continue;
         if (kept(death.simplex)) {
-            for (const SimplexIndex edge : complex.facets(2, death.simplex)) edges.push_back(edge);
+            for (const SimplexIndex edge : context.complex.facets(2, death.simplex)) loose_.push_back(edge);
         }
         touch(death.simplex);
         states_[death.simplex].present = false;
     }
-    peel(edges, context);
-    report_changes();
 }
 
 bool Peeling::ratio_allowed(SimplexIndex triangle, const Context& context) const {
@@ -73,25 +91,25 @@ bool Peeling::sharp(SimplexIndex edge, Round from, const Context& context) {
     return true;
 }
 
-// Removes from K what hangs on sharp edges, from the given edges on; each edge is a round of its own, the latest so
-// far.
-void Peeling::peel(std::vector<SimplexIndex>& edges, const Context& context) {
-    while (!edges.empty()) {
-        const SimplexIndex edge = edges.back();
-        edges.pop_back();
+// Removes from K what hangs on sharp edges, from the loose ones on; each edge is a round of its own, the latest so far.
+bool Peeling::peel(const Context& context, Slice& slice) {
+    while (!loose_.empty()) {
+        if (slice.used_up()) return false;
+        const SimplexIndex edge = loose_.back();
+        loose_.pop_back();
         if (!sharp(edge, kForever, context)) continue;
         ++last_round_;
         for_each_at(edge, [&](SimplexIndex triangle, std::uint32_t corner) {
             if (!kept(triangle)) return;
             set_round(triangle, last_round_);
             states_[triangle].certificate = static_cast<std::uint8_t>(corner);
-            for (const SimplexIndex other : context.complex.facets(2, triangle)) edges.push_back(other);
+            for (const SimplexIndex other : context.complex.facets(2, triangle)) loose_.push_back(other);
         });
     }
+    return true;
 }
 
 void Peeling::admit(std::span<const SimplexIndex> born, const Context& context) {
-    if (born.empty()) return;
     ++admission_;
     for (const SimplexIndex triangle : born) {
         touch(triangle);
@@ -107,7 +125,11 @@ void Peeling::admit(std::span<const SimplexIndex> born, const Context& context) 
     for (const SimplexIndex triangle : born) {
         for (const SimplexIndex edge : context.complex.facets(2, triangle)) pass(edge, kBeforeAll, context);
     }
+}
+
+bool Peeling::check_certificates(const Context& context, Slice& slice) {
     while (!queue_.empty()) {
+        if (slice.used_up()) return false;
         std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
         const Event event = queue_.back();
         queue_.pop_back();
@@ -118,6 +140,7 @@ void Peeling::admit(std::span<const SimplexIndex> born, const Context& context) 
             for (const SimplexIndex edge : context.complex.facets(2, event.triangle)) pass(edge, event.round, context);
         }
     }
+    return true;
 }
 
 void Peeling::push(const Event& event) {

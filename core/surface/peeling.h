@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/slice.h"
 #include "complex/nu_complex.h"
 #include "complex/simplex_table.h"
 #include "surface/landmark_points.h"
@@ -26,17 +27,13 @@ public:
     /// `rho`: largest radius-edge ratio allowed; 0 allows all. Follows track 0.
     explicit Peeling(double rho) : rho_(rho) {}
 
-    /// Follows one insertion. `all`: take every living triangle as new (the step at which D(L) became spatial).
-    void update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex,
-                std::span<const Death> deaths, const LandmarkPoints& points, bool all);
+    /// Follows one insertion. `all`: take every living triangle as new (the step at which D(L) became spatial). False
+    /// if the slice was used up before the end: call it again, with the same arguments, before anything else is asked.
+    bool update(Step step, const std::vector<SimplexTable>& tables, const NuComplex& complex,
+                std::span<const Death> deaths, const LandmarkPoints& points, bool all, Slice& slice);
 
     bool kept(SimplexIndex triangle) const {
         return triangle < states_.size() && states_[triangle].present && states_[triangle].round == kForever;
-    }
-    /// Whether it was in K before the last step.
-    bool was_kept(SimplexIndex triangle) const {
-        const bool touched = triangle < states_.size() && states_[triangle].touched == now_;
-        return touched ? states_[triangle].was_kept : kept(triangle);
     }
     /// Triangles that entered or left K at the last step, net.
     std::span<const SimplexIndex> entered() const { return entered_; }
@@ -86,8 +83,11 @@ private:
     };
 
     bool ratio_allowed(SimplexIndex triangle, const Context& context) const;
-    void peel(std::vector<SimplexIndex>& edges, const Context& context);
+    void begin(Step step, bool all, const Context& context);
     void admit(std::span<const SimplexIndex> born, const Context& context);
+    bool check_certificates(const Context& context, Slice& slice);
+    void bury(std::span<const Death> deaths, const Context& context);
+    bool peel(const Context& context, Slice& slice);
     void push(const Event& event);
     void doubt(SimplexIndex triangle, Round from, const Context& context);
     void check(const Event& event, const Context& context);
@@ -122,6 +122,8 @@ private:
     Round last_round_ = 0;                            // the largest finite one
     std::vector<SimplexIndex> entered_, left_;
     std::vector<SimplexIndex> touched_;
+    std::vector<SimplexIndex> loose_;  // edges that have lost a triangle of K: some may be sharp now
+    enum class Stage : std::uint8_t { Begin, Births, Deaths } stage_ = Stage::Begin;
     Step now_ = 0;
     std::uint32_t admission_ = 0;
     std::vector<Event> queue_;  // a heap, the next event on top

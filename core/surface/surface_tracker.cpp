@@ -28,56 +28,94 @@ void sort_unique(std::vector<std::uint32_t>& values) {
 
 }  // namespace
 
-void SurfaceTracker::update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const NuComplex& complex,
-                            std::span<const Death> deaths, const LandmarkPoints& points, Timeline& timeline) {
-    ended_.clear();
-    glue_changes_.clear();
-    changed_.clear();
-    vertex_rows_.resize(step + 1);
-    fans_.resize(step + 1, 0);
-    if (change.dimension < 3) return;
-    const bool all = !started_;
-    started_ = true;
+bool SurfaceTracker::update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const NuComplex& complex,
+                            std::span<const Death> deaths, const LandmarkPoints& points, Timeline& timeline,
+                            Slice& slice) {
     const DelaunayFaces& faces = complex.faces();
     const Context context{step, delaunay, complex, faces, points, timeline};
+    switch (stage_) {
+        case Stage::Begin:
+            ended_.clear();
+            glue_changes_.clear();
+            changed_.clear();
+            vertex_rows_.resize(step + 1);
+            fans_.resize(step + 1, 0);
+            if (change.dimension < 3) return true;
+            stage_ = Stage::Peel;
+            [[fallthrough]];
+        case Stage::Peel:
+            if (!peeling_.update(step, timeline.simplices, complex, deaths, points, !started_, slice)) return false;
+            stage_ = Stage::Region;
+            [[fallthrough]];
+        case Stage::Region:
+            if (!region_.update(step, delaunay, change, faces, peeling_, !started_, slice)) return false;
+            started_ = true;
+            row_of_.resize(timeline.table(2).size(), {kNoRow, kNoRow});
+            work_ = dirty_triangles(context, change);
+            stage_ = Stage::Rows;
+            [[fallthrough]];
+        case Stage::Rows:
+            if (!work_through(slice, [&](SimplexIndex triangle) { refresh_rows(triangle, context); })) return false;
+            work_ = edges_of_changed(context);
+            stage_ = Stage::Glue;
+            [[fallthrough]];
+        case Stage::Glue:
+            if (!work_through(slice, [&](SimplexIndex edge) { glue_around(edge, context); })) return false;
+            work_ = vertices_of_changed(context);
+            stage_ = Stage::Fans;
+            [[fallthrough]];
+        case Stage::Fans:
+            if (!work_through(slice, [&](Step vertex) { refresh_fans(vertex, context); })) return false;
+            stage_ = Stage::Begin;
+    }
+    return true;
+}
 
-    peeling_.update(step, timeline.simplices, complex, deaths, points, all);
-    region_.update(step, delaunay, change, faces, peeling_, all);
-    row_of_.resize(timeline.table(2).size(), {kNoRow, kNoRow});
-    for (const SimplexIndex triangle : dirty_triangles(context, change)) refresh_rows(triangle, context);
-
-    std::vector<SimplexIndex> edges;
-    for (const SimplexIndex triangle : changed_) {
-        for (const SimplexIndex edge : complex.facets(2, triangle)) edges.push_back(edge);
+// Goes on with the work of a stage; true at its end.
+template <class Use>
+bool SurfaceTracker::work_through(Slice& slice, const Use& use) {
+    for (; worked_ < work_.size(); ++worked_) {
+        if (slice.used_up()) return false;
+        use(work_[worked_]);
     }
-    sort_unique(edges);
-    std::vector<Step> vertices;
-    for (const SimplexIndex edge : edges) {
-        glue_around(edge, context);
-        for (const Step vertex : timeline.table(1).tuple(edge)) vertices.push_back(vertex);
-    }
-    sort_unique(vertices);
-    for (const Step vertex : vertices) {
-        vertex_count_ -= fans_[vertex];
-        fans_[vertex] = count_fans(vertex, context);
-        vertex_count_ += fans_[vertex];
-    }
+    worked_ = 0;
+    return true;
 }
 
 // Triangles of K, or just out of it, at least one side of which may have another cell, or a cell that changed sides.
-std::vector<SimplexIndex> SurfaceTracker::dirty_triangles(const Context& context, const DelaunayChange& change) {
-    std::vector<SimplexIndex> dirty(peeling_.left().begin(), peeling_.left().end());
-    dirty.insert(dirty.end(), peeling_.entered().begin(), peeling_.entered().end());
+std::vector<std::uint32_t> SurfaceTracker::dirty_triangles(const Context& context, const DelaunayChange& change) const {
+    std::vector<std::uint32_t> dirty(peeling_.entered().begin(), peeling_.entered().end());
+    for (const SimplexIndex triangle : peeling_.left()) {
+        const auto& rows = row_of_[triangle];
+        if (rows[0] != kNoRow || rows[1] != kNoRow) dirty.push_back(triangle);
+    }
     const auto add_facets = [&](CellId cell) {
         for (int i = 0; i < 4; ++i) {
-            const SimplexIndex triangle = context.faces.triangle(cell, i);
-            if (triangle != kNoSimplex && peeling_.kept(triangle)) dirty.push_back(triangle);
+            if (region_.closed(cell, i)) dirty.push_back(context.faces.triangle(cell, i));
         }
     };
     for (const CellId cell : change.born) add_facets(cell);
     for (const CellId cell : region_.flipped()) add_facets(cell);
     sort_unique(dirty);
     return dirty;
+}
+
+std::vector<std::uint32_t> SurfaceTracker::edges_of_changed(const Context& context) const {
+    std::vector<std::uint32_t> edges;
+    for (const SimplexIndex triangle : changed_) {
+        for (const SimplexIndex edge : context.complex.facets(2, triangle)) edges.push_back(edge);
+    }
+    sort_unique(edges);
+    return edges;
+}
+
+std::vector<std::uint32_t> SurfaceTracker::vertices_of_changed(const Context& context) const {
+    std::vector<std::uint32_t> vertices;
+    for (const SimplexIndex triangle : changed_) {
+        for (const Step vertex : context.timeline.table(2).tuple(triangle)) vertices.push_back(vertex);
+    }
+    sort_unique(vertices);
+    return vertices;
 }
 
 void SurfaceTracker::refresh_rows(SimplexIndex triangle, const Context& context) {
@@ -158,6 +196,12 @@ void SurfaceTracker::glue_around(SimplexIndex edge, const Context& context) {
         partner_[b.row][b.corner] = {a.row, a.corner};
         glue_changes_.push_back({a.row, b.row, a.corner, b.corner, true});
     }
+}
+
+void SurfaceTracker::refresh_fans(Step vertex, const Context& context) {
+    vertex_count_ -= fans_[vertex];
+    fans_[vertex] = count_fans(vertex, context);
+    vertex_count_ += fans_[vertex];
 }
 
 // The rows around a vertex, glued along edges, form cycles; each is one vertex of the surface.

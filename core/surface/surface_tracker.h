@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/slice.h"
 #include "complex/delaunay_faces.h"
 #include "complex/nu_complex.h"
 #include "delaunay/delaunay.h"
@@ -31,9 +32,11 @@ public:
     /// `rho`: largest radius-edge ratio of a triangle; 0 = any.
     explicit SurfaceTracker(double rho) : peeling_(rho) {}
 
-    /// Follows one insertion, after the complex has followed it; appends to the timeline's surface rows.
-    void update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const NuComplex& complex,
-                std::span<const Death> deaths, const LandmarkPoints& points, Timeline& timeline);
+    /// Follows one insertion, after the complex has followed it; appends to the timeline's surface rows. False if the
+    /// slice was used up before the end: call it again, with the same arguments, before anything else is asked. A
+    /// surface that comes apart at one step is a long one.
+    bool update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const NuComplex& complex,
+                std::span<const Death> deaths, const LandmarkPoints& points, Timeline& timeline, Slice& slice);
 
     /// Asks for what is known of the cell.
     void expect(CellId cell) const { region_.expect(cell); }
@@ -62,18 +65,27 @@ private:
         const LandmarkPoints& points;
         Timeline& timeline;
     };
+    enum class Stage : std::uint8_t { Begin, Peel, Region, Rows, Glue, Fans };
 
-    std::vector<SimplexIndex> dirty_triangles(const Context& context, const DelaunayChange& change);
+    std::vector<std::uint32_t> dirty_triangles(const Context& context, const DelaunayChange& change) const;
+    std::vector<std::uint32_t> edges_of_changed(const Context& context) const;
+    std::vector<std::uint32_t> vertices_of_changed(const Context& context) const;
+    template <class Use>
+    bool work_through(Slice& slice, const Use& use);
     void refresh_rows(SimplexIndex triangle, const Context& context);
     void open_row(SimplexIndex triangle, std::uint8_t side, const Context& context);
     void close_row(SimplexIndex triangle, std::uint8_t side, const Context& context);
     void glue_around(SimplexIndex edge, const Context& context);
     void unglue(std::uint32_t row, std::uint32_t corner);
+    void refresh_fans(Step vertex, const Context& context);
     std::uint32_t count_fans(Step vertex, const Context& context);
 
     Peeling peeling_;
     OuterRegion region_;
     bool started_ = false;
+    Stage stage_ = Stage::Begin;       // where the step goes on
+    std::vector<std::uint32_t> work_;  // of the stage: triangles, edges or vertices, each once, ascending
+    std::size_t worked_ = 0;           // how many of them are done
     std::vector<std::array<std::uint32_t, 2>> row_of_;     // by triangle and side
     std::vector<std::array<Partner, 3>> partner_;          // by row and corner
     std::vector<std::vector<std::uint32_t>> vertex_rows_;  // by step

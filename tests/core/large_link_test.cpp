@@ -69,7 +69,8 @@ TEST_P(LargeLink, BearsExactlyWhatHasWitnesses) {
     engine.prepare(Deadline(1e300));
     const DelaunayChange* change = nullptr;
     for (std::uint32_t i = 0; i <= kShell; ++i) {
-        ASSERT_FALSE(engine.insert(i));
+        ASSERT_FALSE(engine.begin_step(i));
+        ASSERT_TRUE(engine.finish_step(Deadline(1e300)));
         change = delaunay.insert(i + 1, cloud.point(i), std::max(1u, i)).value();
     }
     const Step middle = kShell + 1;

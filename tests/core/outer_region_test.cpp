@@ -44,10 +44,9 @@ struct Flips {
     int enclosed = 0, opened = 0;
 };
 
-constexpr Step kLandmarks = 40;
-
-/// Inserts the first points in input order and compares at every step. All points are witnesses.
-void expect_flooded_at_every_step(const PointCloud& cloud, const std::vector<std::uint32_t>& nu, Flips& flips) {
+/// Inserts so many points in input order and compares at every step. All points are witnesses.
+void expect_flooded_at_every_step(const PointCloud& cloud, const std::vector<std::uint32_t>& nu, Step landmark_count,
+                                  Flips& flips) {
     LandmarkLists lists(cloud, 6);
     while (!lists.prepare(Deadline(1e300))) continue;
     Delaunay delaunay(3);
@@ -59,14 +58,16 @@ void expect_flooded_at_every_step(const PointCloud& cloud, const std::vector<std
     std::vector<std::uint32_t> landmarks;
     const LandmarkPoints points{&cloud, &landmarks};
     bool started = false;
-    for (Step step = 1; step <= kLandmarks; ++step) {
+    for (Step step = 1; step <= landmark_count; ++step) {
         const std::uint32_t hint = lists.list(lists.witness(step - 1))[0];
         const DelaunayChange& change = *delaunay.insert(step, cloud.point(step - 1), hint).value();
         landmarks.push_back(step - 1);
+        const Deadline deadline(1e300);
+        Slice slice(deadline);
         complex.insert(step, lists, lists.insert(step - 1, step), delaunay, change, tables);
         if (change.dimension < 3) continue;
-        peeling.update(step, tables, complex, complex.deaths(), points, !started);
-        region.update(step, delaunay, change, complex.faces(), peeling, !started);
+        ASSERT_TRUE(peeling.update(step, tables, complex, complex.deaths(), points, !started, slice));
+        ASSERT_TRUE(region.update(step, delaunay, change, complex.faces(), peeling, !started, slice));
         started = true;
         const std::vector<bool> expected = flooded(delaunay, complex.faces(), peeling);
         for (CellId cell = 0; cell < expected.size(); ++cell) {
@@ -88,13 +89,21 @@ TEST(OuterRegion, IsFloodedAtEveryStep) {
     Flips flips;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         for (const auto& nu : std::vector<std::vector<std::uint32_t>>{{1, 6, 6, 4}, {1, 5, 5, 5}, {1, 4, 4, 4}}) {
-            expect_flooded_at_every_step(random_points(300, seed), nu, flips);
+            expect_flooded_at_every_step(random_points(300, seed), nu, 40, flips);
             if (HasFatalFailure()) FAIL() << "seed " << seed << ", nu " << nu[1];
         }
     }
     // Else the clouds would not have asked what they are here to ask.
     EXPECT_GT(flips.enclosed, 100);
     EXPECT_GT(flips.opened, 100);
+}
+
+// A rare pocket: no triangle around it was there before, so only the cells that died tell that it was open.
+TEST(OuterRegion, IsCutOffByTheStarOfTheLandmarkAlone) {
+    Flips flips;
+    for (const auto& nu : std::vector<std::vector<std::uint32_t>>{{1, 6, 6, 6}, {1, 6, 5, 4}}) {
+        expect_flooded_at_every_step(random_points(300, 60), nu, 60, flips);
+    }
 }
 
 }  // namespace

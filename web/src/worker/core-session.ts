@@ -36,7 +36,11 @@ export class CoreSession {
   }
 
   advance(budgetMs: number, maxSteps = 0xffffffff): Progress {
-    return unwrapped(this.run.run(budgetMs, maxSteps));
+    const progress = unwrapped(this.run.run(budgetMs, maxSteps));
+    // Every delta hands the hash out. It keeps up with the run, so that a page that was hidden meanwhile does not wait
+    // for that of all steps at once.
+    this.run.hash();
+    return progress;
   }
 
   runPastNoise(): void {
