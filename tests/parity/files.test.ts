@@ -74,6 +74,34 @@ describe('the module exports what the command writes', () => {
   });
 });
 
+test('places of many distances are scaled in one order of sums, whatever the processor', () => {
+  const at = Array.from({ length: 450 }, (_, i) => [
+    (i * Math.SQRT2) % 3,
+    (i * Math.sqrt(3)) % 2,
+    (i % 7) / 9,
+  ]);
+  const between = (a: number[], b: number[]): number =>
+    Math.sqrt(a.reduce((sum, x, axis) => sum + (x - (b[axis] ?? NaN)) ** 2, 0));
+  const text = at.slice(1).map((a, i) =>
+    at
+      .slice(0, i + 1)
+      .map((b) => between(a, b))
+      .join(),
+  );
+  const one = { name: 'many', family: 'witness', fileName: 'm.csv', text: text.join('\n') } as const;
+  const run = new module.Run(file(one.fileName, one.text), {
+    metric: 'matrix',
+    maxSteps: 60,
+    maxDimension: 1,
+  });
+  opened(run);
+  runThrough(run, Infinity);
+  const words = ['--metric', 'matrix', '--steps', '60', '--max-dim', '1'];
+  const there = commandAnswer({ ...one, words }, '--complex', 'complex.vtk', 60);
+  expect(moduleAnswer(run, 'complex-vtk', 60)).toEqual(there);
+  run.delete();
+});
+
 test('each opens the session of the other as its own run', () => {
   const folder = mkdtempSync(join(tmpdir(), 'plateau-'));
   const one = some.find(({ name }) => name === 'torus');

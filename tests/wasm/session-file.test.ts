@@ -18,7 +18,7 @@ interface Reopened {
 }
 
 function reopened(bytes: Uint8Array, options: RunOptions = {}, more: object = {}): Reopened {
-  const run = new module.Run({ ...file('x.plateau', bytes), ...more } as CloudSource, options);
+  const run = new module.Run({ ...file('x.plateau', bytes), ...more }, options);
   return { run, answer: opened(run) };
 }
 
