@@ -1,6 +1,12 @@
-import type { ModuleRun } from 'plateau-module';
-import type { Delta, OpenedRun } from '../../web/src/worker/protocol.ts';
-import { allDeltas } from './module.ts';
+import type { ModuleRun, PlateauModule } from 'plateau-module';
+import type {
+  CloudSource,
+  Delta,
+  ExportFormat,
+  OpenedRun,
+  RunOptions,
+} from '../../web/src/worker/protocol.ts';
+import { allDeltas, expected, file, opened, runThrough, sample } from './module.ts';
 
 /** What a step shows, from what the module told of its run; vertices are steps, 1-based. */
 export interface Shown {
@@ -78,4 +84,55 @@ export class Told {
 export function turned(triangle: readonly number[]): string {
   const least = triangle.indexOf(Math.min(...triangle));
   return [...triangle.slice(least), ...triangle.slice(0, least)].join();
+}
+
+/** A run whose files are read at some of its steps. */
+export interface ExportCase {
+  readonly name: string;
+  readonly source: CloudSource;
+  readonly options?: RunOptions;
+  readonly steps: readonly number[];
+}
+
+/** Far from the origin and tiny: what single precision would lose. */
+const farAway = Array.from({ length: 60 }, (_, i) => {
+  const [x, y, z] = [(i * 7) % 11, (i * 5) % 13, (i * 3) % 17];
+  return `${1e6 + x * 1e-4} ${-3e5 + y * 1e-4} ${z * 1e-4}`;
+}).join('\n');
+
+/** Surfaces, curves, complexes, the plane. */
+export const cases: readonly ExportCase[] = [
+  { name: 'torus', source: sample('torus', 400), steps: [1, 2, 5, 30, 60, 120, 400] },
+  { name: 'helix', source: sample('helix', 500), steps: [3, 40, 80, 250, 500] },
+  {
+    name: 'surface of a torus',
+    source: sample('torus', 200),
+    options: { family: 'surface' },
+    steps: [1, 60, 200],
+  },
+  {
+    name: 'witness complex',
+    source: sample('sphere', 120),
+    options: { family: 'witness', nu: [1, 4, 5, 5] },
+    steps: [4, 120],
+  },
+  { name: 'plane', source: sample('circle-noise', 200), steps: [1, 7, 50, 200] },
+  { name: 'far away', source: file('far.xyz', farAway), steps: [1, 20, 60] },
+];
+
+/** The file, where none is refused. */
+export function bytesOf(run: ModuleRun, format: ExportFormat, step?: number): Uint8Array<ArrayBuffer> {
+  return expected(run.exportFile(format, step)).bytes;
+}
+
+export type Check = (run: ModuleRun, told: Told, step: number) => void | Promise<void>;
+
+/** Finishes a run of the case and looks at its steps. */
+export async function eachStep(module: PlateauModule, one: ExportCase, check: Check): Promise<void> {
+  const run = new module.Run(one.source, one.options ?? {});
+  const answer = opened(run);
+  runThrough(run, Infinity);
+  const told = new Told(run, answer);
+  for (const step of one.steps) await check(run, told, step);
+  run.delete();
 }

@@ -3,10 +3,9 @@ import { Mesh, LineSegments, Points, Vector3, type BufferGeometry, type Object3D
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { PLYLoader } from 'three/examples/jsm/loaders/PLYLoader.js';
 import { beforeAll, describe, expect, test } from 'vitest';
-import type { ModuleRun, PlateauModule } from 'plateau-module';
-import type { CloudSource, ExportFormat, RunOptions } from '../../web/src/worker/protocol.ts';
-import { Told, turned } from './exported-shapes.ts';
-import { expected, file, loadModule, opened, runThrough, sample } from './module.ts';
+import type { PlateauModule } from 'plateau-module';
+import { Told, bytesOf, cases, eachStep, turned, type Check, type ExportCase } from './exported-shapes.ts';
+import { file, loadModule, opened, runThrough, sample } from './module.ts';
 import { readVtk } from './vtk-file.ts';
 
 let module: PlateauModule;
@@ -14,52 +13,8 @@ beforeAll(async () => {
   module = await loadModule();
 });
 
-interface Case {
-  readonly name: string;
-  readonly source: CloudSource;
-  readonly options?: RunOptions;
-  readonly steps: readonly number[];
-}
-
-/** Far from the origin and tiny: what single precision would lose. */
-const farAway = Array.from({ length: 60 }, (_, i) => {
-  const [x, y, z] = [(i * 7) % 11, (i * 5) % 13, (i * 3) % 17];
-  return `${1e6 + x * 1e-4} ${-3e5 + y * 1e-4} ${z * 1e-4}`;
-}).join('\n');
-
-const cases: readonly Case[] = [
-  { name: 'torus', source: sample('torus', 400), steps: [1, 2, 5, 30, 60, 120, 400] },
-  { name: 'helix', source: sample('helix', 500), steps: [3, 40, 80, 250, 500] },
-  {
-    name: 'surface of a torus',
-    source: sample('torus', 200),
-    options: { family: 'surface' },
-    steps: [1, 60, 200],
-  },
-  {
-    name: 'witness complex',
-    source: sample('sphere', 120),
-    options: { family: 'witness', nu: [1, 4, 5, 5] },
-    steps: [4, 120],
-  },
-  { name: 'plane', source: sample('circle-noise', 200), steps: [1, 7, 50, 200] },
-  { name: 'far away', source: file('far.xyz', farAway), steps: [1, 20, 60] },
-];
-
-function bytesOf(run: ModuleRun, format: ExportFormat, step?: number): Uint8Array<ArrayBuffer> {
-  return expected(run.exportFile(format, step)).bytes;
-}
-
-function each(one: Case, check: (run: ModuleRun, told: Told, step: number) => void | Promise<void>) {
-  return async (): Promise<void> => {
-    const run = new module.Run(one.source, one.options ?? {});
-    const answer = opened(run);
-    runThrough(run, Infinity);
-    const told = new Told(run, answer);
-    for (const step of one.steps) await check(run, told, step);
-    run.delete();
-  };
-}
+/** Finishes a run of the case and looks at its steps. */
+const each = (one: ExportCase, check: Check): Promise<void> => eachStep(module, one, check);
 
 /** Vertices of a file are told by where they lie; no two landmarks of the cases above lie at one place. */
 function stepsByPlace(told: Told, rounded: (place: number[]) => string): Map<string, number> {
@@ -124,7 +79,7 @@ describe('PLY, read by three.js and by its words', () => {
       const geometry = new PLYLoader().parse(bytes.buffer);
       expect(rowsOf(geometry.getAttribute('position')?.array ?? [], 3)).toEqual(places);
       expect(rowsOf(geometry.index?.array ?? [], 3)).toEqual(faces);
-    })(),
+    }),
   );
 });
 
@@ -145,7 +100,7 @@ describe('OFF, by its words', () => {
         polygons.filter(([corners]) => corners === size).map(([, ...polygon]) => polygon);
       expect(ofSize(2).length + ofSize(3).length).toBe(faces);
       expectShape(told, step, vertices, ofSize(2), ofSize(3));
-    })(),
+    }),
   );
 });
 
@@ -225,7 +180,7 @@ describe('GLB, judged by the validator of Khronos and read by three.js', () => {
         const normal = new Vector3(...(normals[vertex] ?? []));
         expect(normal.dot(sum.normalize())).toBeGreaterThan(0.9999);
       });
-    })(),
+    }),
   );
 });
 
@@ -281,7 +236,7 @@ describe('VTK, read as its specification says', () => {
       const sum = (numbers: readonly number[]): number =>
         numbers.reduce((all, n, k) => all + (-1) ** k * n, 0);
       expect(sum(counts)).toBe(sum(shown.betti));
-    })(),
+    }),
   );
 
   test('more coordinates: principal axes, and all of them as data', () => {
@@ -326,79 +281,12 @@ describe('VTK, read as its specification says', () => {
   });
 });
 
-interface Report {
-  readonly step: number;
-  readonly epsilon: number | null;
-  readonly components: number;
-  readonly genus: number;
-  readonly euler_characteristic: number;
-  readonly vertices: number;
-  readonly triangles: number;
-  readonly volume: number;
-  readonly parts: readonly { readonly genus: number; readonly area: number }[];
-  readonly doubled_vertices: readonly { readonly landmark: number; readonly copies: number }[];
-  readonly doubled_edges: readonly { readonly landmarks: readonly number[]; readonly copies: number }[];
-}
-
-const reportOf = (run: ModuleRun, step?: number): Report =>
-  JSON.parse(new TextDecoder().decode(bytesOf(run, 'surface-report', step))) as Report;
-
-describe('the report of the surface', () => {
-  test.each(cases.slice(0, 3))('$name', (one) =>
-    each(one, (run, told, step) => {
-      const report = reportOf(run, step);
-      const { surface, family, betti } = told.at(step);
-      expect(report.step).toBe(step);
-      expect(report.epsilon).toBe(told.epsilon(step));
-      expect(report.triangles).toBe(surface.length);
-      expect(report.parts.length).toBe(report.components);
-      if (family !== 2) {
-        expect(report).toMatchObject({ components: 0, genus: 0, volume: 0, parts: [], doubled_edges: [] });
-        return;
-      }
-      expect(report.components).toBe(betti[0]);
-      expect(2 * report.genus).toBe(betti[1]);
-      const landmarks = new Set(surface.flatMap((triangle) => triangle.split(',')));
-      const more = report.doubled_vertices.reduce((sum, { copies }) => sum + copies - 1, 0);
-      expect(report.vertices).toBe(landmarks.size + more);
-    })(),
-  );
-
-  test('two octahedra that touch at a vertex have it twice', () => {
-    const octahedron = (x: number): number[][] =>
-      [0, 1, 2].flatMap((axis) =>
-        [-1, 1].map((side) => [0, 1, 2].map((k) => (k === axis ? side : 0) + (k === 0 ? x : 0))),
-      );
-    const points = [...octahedron(0), ...octahedron(2)];
-    const text = [...new Set(points.map((point) => point.join(' ')))].join('\n');
-    const run = new module.Run(file('two.xyz', text), { family: 'surface' });
-    opened(run);
-    runThrough(run, Infinity);
-    const report = reportOf(run, 11);
-    const shared = text.split('\n').indexOf('1 0 0');
-    expect(report.doubled_vertices).toMatchObject([{ landmark: shared, copies: 2 }]);
-    expect(report).toMatchObject({ components: 2, genus: 0, euler_characteristic: 4, vertices: 12 });
-    expect(report.volume).toBeCloseTo(8 / 3, 12);
-    expect(report.parts[0]?.area).toBeCloseTo(4 * Math.sqrt(3), 12);
-    run.delete();
-  });
-
-  test('is refused where no surface is followed', () => {
-    const run = new module.Run(sample('circle-noise', 30), {});
-    opened(run);
-    runThrough(run, Infinity);
-    expect(run.exportFile('surface-report', 3)).toHaveProperty('failure.code', 8);
-    run.delete();
-  });
-});
-
 test('before the first step every file is empty and well-formed', async () => {
   const run = new module.Run(sample('torus', 50), {});
   opened(run);
   await expectValid(bytesOf(run, 'mesh-glb'));
   expect(await loaded(bytesOf(run, 'mesh-glb'))).toEqual(new Map());
   expect(readVtk(bytesOf(run, 'complex-vtk')).cells).toEqual([]);
-  expect(reportOf(run)).toMatchObject({ step: 0, epsilon: null, components: 0 });
   expect(new PLYLoader().parse(bytesOf(run, 'mesh-ply').buffer).getAttribute('position').count).toBe(0);
   for (const format of [
     'mesh-ply',
