@@ -64,13 +64,13 @@ public:
         return add(begin, vectors.size(), kVertexBuffer, fields);
     }
 
-    template <std::size_t kCorners>
-    int add_indices(const std::vector<std::array<std::uint32_t, kCorners>>& simplices) {
+    template <std::size_t Corners>
+    int add_indices(const std::vector<std::array<std::uint32_t, Corners>>& simplices) {
         const std::size_t begin = bytes_.size();
         for (const auto& simplex : simplices) {
             for (const std::uint32_t vertex : simplex) append_u32(bytes_, vertex, ByteOrder::LittleEndian);
         }
-        return add(begin, simplices.size() * kCorners, kIndexBuffer,
+        return add(begin, simplices.size() * Corners, kIndexBuffer,
                    ",\"type\":\"SCALAR\",\"componentType\":" + std::to_string(kUnsignedInt));
     }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "io/binary_number.h"
@@ -68,9 +69,9 @@ private:
 
     std::optional<Error> read_distances() {
         for (std::uint64_t other = 0; other < row_; ++other) {
-            const auto error = distances_.set_once(static_cast<std::uint32_t>(row_), static_cast<std::uint32_t>(other),
-                                                   next(), {row_ + 1, other + 1, 0});
-            if (error) return error;
+            const EntryPlace place{row_ + 1, other + 1, 0};
+            const auto [a, b] = std::pair(static_cast<std::uint32_t>(row_), static_cast<std::uint32_t>(other));
+            if (auto error = distances_.set_once(a, b, next(), place)) return error;
         }
         return std::nullopt;
     }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -178,6 +179,22 @@ TEST(SessionFile, ARunOpensAgainAndSaysIfItIsTheSame) {
     EXPECT_EQ(second.hash(), first.hash()) << "asking for an earlier hash changes nothing";
     saved.hash ^= 1;
     EXPECT_EQ(agrees(saved, second), false);
+}
+
+TEST(SessionFile, ARunThatWasLetOnPastItsNoiseHasNoStopThere) {
+    RunOptions options;
+    options.noise_stop_from = 0;
+    Session session = Session::open(sample_shape("torus", {.size = 300}).value(), options).value();
+    session.run({});
+    ASSERT_LT(session.timeline().step_count, 300u);
+    const SavedRun::Option stop{"noise-stop-from", "0"};
+    const auto stops = [&] {
+        const auto saved = saved_options(session.options());
+        return std::count(saved.begin(), saved.end(), stop);
+    };
+    EXPECT_EQ(stops(), 1);
+    session.run_past_noise();
+    EXPECT_EQ(stops(), 0);
 }
 
 TEST(SessionFile, HundredThousandPoints) {
