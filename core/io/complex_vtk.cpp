@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -105,7 +106,9 @@ std::string complex_vtk(const Session& session, std::optional<Step> step) {
     const bool has_more_axes = cloud.dimension > 3;
     text += "POINT_DATA " + std::to_string(at) + "\nFIELD FieldData " + (has_more_axes ? "3" : "2") + "\n";
     append_column(text, "input_index", landmarks);
-    append_column(text, "step", std::span(cells.birth).first(at));
+    std::vector<std::uint32_t> steps(at);
+    std::iota(steps.begin(), steps.end(), 1u);
+    append_column(text, "step", steps);
     if (has_more_axes) {
         text += "coordinates " + std::to_string(cloud.dimension) + " " + std::to_string(at) + " double\n";
         for (const std::uint32_t landmark : landmarks) {
