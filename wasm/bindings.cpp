@@ -13,5 +13,6 @@ EMSCRIPTEN_BINDINGS(plateau) {
         .function("delta", &plateau::Run::delta)
         .function("plateaus", &plateau::Run::plateaus)
         .function("exportFile", &plateau::Run::export_file)
+        .function("exportFile", &plateau::Run::export_with_view)
         .function("hash", &plateau::Run::hash);
 }

@@ -39,9 +39,11 @@ export interface ModuleRun {
   /** What was appended since the last call, at most about `maxSimplices` simplices. */
   delta(maxSimplices: number): Delta | Failed;
   plateaus(): Plateaus | Failed;
+  /** `view`: text that a session file keeps for the page. */
   exportFile(
     format: ExportFormat,
     step: number | undefined,
+    view?: string,
   ): { readonly kind: 'file'; readonly bytes: Uint8Array<ArrayBuffer> } | Failed;
   /** 16 hexadecimal digits over all complete steps. */
   hash(): string;

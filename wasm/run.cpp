@@ -6,9 +6,10 @@
 
 #include "cloud/samples.h"
 #include "delta.h"
+#include "exports.h"
 #include "io/family_name.h"
 #include "io/metric_name.h"
-#include "io/writers.h"
+#include "io/saved_options.h"
 #include "marshal.h"
 #include "options.h"
 #include "projection/projection.h"
@@ -22,13 +23,8 @@ namespace {
 
 constexpr const char* kStateNames[] = {"preparing", "running", "finished", "stopped"};
 
-val projection_of(const PointCloud& cloud) {
-    const DistanceMatrix& distances = cloud.distances;
-    const Projection projection =
-        cloud.dimension > 0 ? principal_axes(cloud)
-                            : classical_scaling(distances.size, [&](std::uint32_t witness, std::span<double> out) {
-                                  distances.row(witness, out);
-                              });
+val projected(const PointCloud& cloud) {
+    const Projection projection = projection_of(cloud);
     val answer = val::object();
     answer.set("axes", projection.axes);
     answer.set("coordinates", copied(std::span<const float>(projection.coordinates)));
@@ -70,6 +66,7 @@ Run::Run(const val& source, const val& options) {
     if (const val any = source["anyDimension"]; marshal::given(any) && any.as<bool>()) {
         read.as = ReadAs::PointsOfAnyDimension;
     }
+    if (const val other = source["newOptions"]; marshal::given(other)) takes_new_options_ = other.as<bool>();
     if (options_.metric.metric == Metric::Matrix) read.as = ReadAs::Distances;
     read.memory_limit = options_.memory_limit;
     try {
@@ -95,8 +92,24 @@ val Run::open(double budget_ms) {
             error_ = read.error();
             return marshal::failed(*error_);
         }
+        if (read.value().saved && !takes_new_options_) {
+            if (auto error = take_options_of(std::move(*read.value().saved))) {
+                error_ = std::move(error);
+                return marshal::failed(*error_);
+            }
+        }
         return opened_with(std::move(read.value().cloud), read.value().warnings);
     });
+}
+
+std::optional<Error> Run::take_options_of(SavedRun saved) {
+    auto options = options_of(saved);
+    if (!options) return options.error();
+    const std::uint64_t memory_limit = options_.memory_limit;
+    options_ = std::move(options).value();
+    options_.memory_limit = memory_limit;
+    saved_ = std::move(saved);
+    return std::nullopt;
 }
 
 val Run::opened_with(PointCloud cloud, const std::vector<std::string>& warnings) {
@@ -117,7 +130,7 @@ val Run::opened_with(PointCloud cloud, const std::vector<std::string>& warnings)
     opened.set("otherField", session_->timeline().other_field);
     opened.set("metric", std::string(metric_name(options.metric.metric)));
     opened.set("coordinates", copied(std::span<const double>(points.coordinates)));
-    if (points.dimension == 0 || points.dimension > 3) opened.set("projection", projection_of(points));
+    if (points.dimension == 0 || points.dimension > 3) opened.set("projection", projected(points));
     opened.set("family", std::string(family_name(family)));
     opened.set("nu", val::array(options.nu));
     const Step planned = session_->progress().steps_planned;
@@ -129,6 +142,7 @@ val Run::opened_with(PointCloud cloud, const std::vector<std::string>& warnings)
     opened.set("memoryLimitBytes", static_cast<double>(options.memory_limit));
     opened.set("stepsAffordable", std::min(planned, affordable));
     opened.set("warnings", val::array(warnings));
+    if (saved_) opened.set("session", marshal::session_of(*saved_, options));
     val answer = val::object();
     answer.set("kind", std::string("opened"));
     answer.set("opened", opened);
@@ -173,6 +187,9 @@ val Run::delta(std::uint32_t max_simplices) {
         val delta = val::object();
         delta.set("state", std::string(kStateNames[static_cast<std::size_t>(state)]));
         if (complete && progress.stopped) delta.set("stopped", marshal::failure(*progress.stopped));
+        // Before the hash of all steps, which it is a part of.
+        if (saved_ && !agrees_) agrees_ = agrees(*saved_, *session_);
+        if (agrees_) delta.set("agreesWithSession", *agrees_);
         delta.set("hash", marshal::hex(session_->hash()));
         delta.set("memoryBytes", static_cast<double>(progress.memory));
         delta.set("noise", progress.noise);
@@ -218,35 +235,20 @@ val Run::plateaus() const {
     });
 }
 
-val Run::export_file(const std::string& format, const val& step) const {
+val Run::export_with_view(const std::string& format, const val& step, const val& view) const {
     return marshal::guarded([&] {
         if (!session_) return marshal::failed(not_open());
-        std::string text;
-        if (format == "betti-csv") {
-            text = betti_csv(*session_);
-        } else if (format == "plateaus-json") {
-            text = plateaus_json(*session_);
-        } else if (format == "mesh-ply") {
-            if (const auto objection = mesh_objection(*session_)) return marshal::failed(*objection);
-            std::optional<Step> at;
-            if (marshal::given(step)) {
-                auto number = marshal::count_of(step, "The step");
-                if (!number) return marshal::failed(number.error());
-                at = number.value();
-                if (*at < 1 || *at > session_->timeline().step_count) {
-                    return marshal::failed(
-                        {ErrorCode::InvalidOption, "Step " + std::to_string(*at) + " is not computed yet."});
-                }
-            }
-            text = mesh_ply(*session_, at);
-        } else {
-            return marshal::failed({ErrorCode::InvalidOption, "There is no export format \"" + format + "\"."});
-        }
+        const auto bytes = marshal::exported(*session_, format, step, view);
+        if (!bytes) return marshal::failed(bytes.error());
         val answer = val::object();
         answer.set("kind", std::string("file"));
-        answer.set("bytes", marshal::copied_bytes(text));
+        answer.set("bytes", marshal::copied_bytes(bytes.value()));
         return answer;
     });
+}
+
+val Run::export_file(const std::string& format, const val& step) const {
+    return export_with_view(format, step, val::undefined());
 }
 
 std::string Run::hash() const {

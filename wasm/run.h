@@ -30,12 +30,15 @@ public:
     /// step if there is one. Its state is final only once everything was handed out.
     emscripten::val delta(std::uint32_t max_simplices);
     emscripten::val plateaus() const;
-    /// `format`: 'betti-csv', 'plateaus-json' or 'mesh-ply'; `step`: 1-based, or undefined for the default.
+    /// {kind: 'file', bytes}; what the arguments are is in exports.h.
+    emscripten::val export_with_view(const std::string& format, const emscripten::val& step,
+                                     const emscripten::val& view) const;
     emscripten::val export_file(const std::string& format, const emscripten::val& step) const;
     /// 16 hexadecimal digits over all complete steps. Cost: the steps since the last call, or the last delta.
     std::string hash() const;
 
 private:
+    std::optional<Error> take_options_of(SavedRun saved);
     emscripten::val opened_with(PointCloud cloud, const std::vector<std::string>& warnings);
 
     RunOptions options_;
@@ -43,7 +46,10 @@ private:
     std::optional<CloudReader> reader_;
     std::optional<PointCloud> sample_;
     std::optional<Session> session_;
-    Step handed_out_ = 0;  ///< steps that delta() has given away
+    bool takes_new_options_ = false;  ///< instead of those of a session file
+    std::optional<SavedRun> saved_;   ///< the session file whose options the run has
+    std::optional<bool> agrees_;      ///< with that file, once the run has come as far
+    Step handed_out_ = 0;             ///< steps that delta() has given away
 };
 
 /// The built-in shapes: [{name, dimension, defaultSize, lookFor}].

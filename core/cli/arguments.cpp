@@ -1,10 +1,12 @@
 #include "cli/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
 #include "io/family_name.h"
+#include "io/mesh_files.h"
 #include "io/metric_name.h"
 #include "io/text.h"
 
@@ -112,8 +114,19 @@ std::optional<Error> complete(RunArguments& run, const RawText& raw) {
         }
         run.memory_limit = *megabytes << 20;
     }
-    if ((run.betti == "-") + (run.plateaus == "-") + (run.mesh == "-") > 1) {
+    return std::nullopt;
+}
+
+std::optional<Error> check_outputs(const RunArguments& run) {
+    const auto outputs = run.outputs();
+    if (std::count_if(outputs.begin(), outputs.end(), [](const std::string* path) { return *path == "-"; }) > 1) {
         return invalid("Only one output can go to standard output.");
+    }
+    if (!mesh_format_of(run.mesh)) {
+        return invalid("--mesh writes .ply, .off and .glb; got " + in_quotes(run.mesh) + ".");
+    }
+    if (run.at && run.mesh.empty() && run.complex.empty() && run.report.empty() && run.session.empty()) {
+        return invalid("--at is the step of --mesh, --complex, --report or --session, and none is asked for.");
     }
     if (run.at && *run.at == 0) return invalid("--at 0 is out of range: steps are counted from 1.");
     return std::nullopt;
@@ -121,8 +134,8 @@ std::optional<Error> complete(RunArguments& run, const RawText& raw) {
 
 void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
     app.add_option("INPUT", run.input,
-                   "Point file (.xyz .txt .csv .ply .off .obj .pcd .npy) or distance matrix (.csv .txt .npy), - for "
-                   "standard input")
+                   "Point file (.xyz .txt .csv .ply .off .obj .pcd .npy), distance matrix (.csv .txt .npy) or session "
+                   "(.plateau), - for standard input")
         ->required();
     app.add_option("--family", raw.family,
                    "witness, delaunay, surface, auto or dilated [plane: delaunay, space: auto, 4 or 5 coordinates: "
@@ -153,8 +166,19 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
     app.add_option("--columns", raw.columns, "Columns that are the coordinates, from 1, such as 1,2,3 [all]");
     app.add_option("--betti", run.betti, "Write the Betti numbers of every step (CSV); - for standard output");
     app.add_option("--plateaus", run.plateaus, "Write the plateaus (JSON); - for standard output");
-    auto* mesh = app.add_option("--mesh", run.mesh, "Write the shape of one step (PLY); - for standard output");
-    app.add_option("--at", run.at, "Step of --mesh [the middle of the longest plateau]")->needs(mesh);
+    app.add_option("--mesh", run.mesh,
+                   "Write the shape of one step: .ply, .off or .glb by the name; - for standard output (PLY)");
+    app.add_option(
+        "--complex", run.complex,
+        "Write the complex of one step with its edges, triangles and tetrahedra (VTK); - for standard output");
+    app.add_option("--report", run.report,
+                   "Write the surface of one step in numbers (JSON): components, genus, area, volume; - for standard "
+                   "output");
+    app.add_option("--session", run.session,
+                   "Write points, options and where the run stands, to be opened again (.plateau); - for standard "
+                   "output");
+    app.add_option("--at", run.at,
+                   "Step of --mesh, --complex, --report and --session [the middle of the longest plateau]");
     app.add_flag("--hash", run.hash, "Print the hash of the run as the last line");
     app.add_flag("--progress", run.progress, "Report progress also where standard error is no terminal");
 }
@@ -210,6 +234,10 @@ Result<Arguments> parse_arguments(int count, const char* const* values) {
     if (run_app->parsed()) {
         if (auto error = complete(run, raw)) return std::move(*error);
         if (auto error = complete_metric(run, raw, run_app->count("--knn") > 0)) return std::move(*error);
+        if (auto error = check_outputs(run)) return std::move(*error);
+        for (const CLI::Option* option : run_app->get_options()) {
+            if (option->count() > 0) run.named.push_back(option->get_name(false, true).substr(2));
+        }
         return Arguments(std::move(run));
     }
     if (sample_size->count() == 0) {

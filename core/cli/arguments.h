@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,10 +21,20 @@ struct RunArguments {
     std::string betti;                   ///< a path, "-" for standard output, empty for none; likewise below
     std::string plateaus;
     std::string mesh;
-    std::optional<Step> at;                     ///< step of the mesh
+    std::string complex;
+    std::string report;
+    std::string session;
+    std::optional<Step> at;  ///< step of mesh, complex, report and session
+    /// Options of the run that the command line names, without their dashes; a session file decides about the others.
+    std::vector<std::string> named;
     std::optional<std::uint64_t> memory_limit;  ///< bytes; none: four fifths of the machine's
     bool hash = false;
     bool progress = false;  ///< also where standard error is no terminal
+
+    /// Paths of all outputs.
+    std::array<const std::string*, 6> outputs() const {
+        return {&betti, &plateaus, &mesh, &complex, &report, &session};
+    }
 };
 
 /// `plateau sample`.

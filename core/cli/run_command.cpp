@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -8,7 +9,12 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/progress_line.h"
+#include "cli/saved_session.h"
 #include "io/cloud_reader.h"
+#include "io/complex_vtk.h"
+#include "io/mesh_files.h"
+#include "io/report_json.h"
+#include "io/step_mesh.h"
 #include "io/writers.h"
 
 namespace plateau::cli {
@@ -18,7 +24,7 @@ namespace {
 constexpr double kSliceMs = 50;
 
 std::optional<Error> check_outputs(const RunArguments& arguments) {
-    for (const std::string* path : {&arguments.betti, &arguments.plateaus, &arguments.mesh}) {
+    for (const std::string* path : arguments.outputs()) {
         if (auto error = check_writable(*path)) return error;
     }
     return std::nullopt;
@@ -45,26 +51,44 @@ Progress run_to_end(Session& session, bool show_progress) {
     return progress;
 }
 
-std::optional<Error> write_outputs(const RunArguments& arguments, const Session& session) {
+std::optional<Error> write_outputs(const RunArguments& arguments, const Session& session,
+                                   const std::optional<SavedRun>& saved) {
     const Step steps = session.timeline().step_count;
-    if (!arguments.betti.empty()) {
-        if (auto error = write_file(arguments.betti, betti_csv(session))) return error;
-    }
-    if (!arguments.plateaus.empty()) {
-        if (auto error = write_file(arguments.plateaus, plateaus_json(session))) return error;
-    }
-    if (!arguments.mesh.empty()) {
-        if (arguments.at && *arguments.at > steps) return out_of_range(*arguments.at, steps);
-        if (auto error = write_file(arguments.mesh, mesh_ply(session, arguments.at))) return error;
-    }
-    if (arguments.betti.empty() && arguments.plateaus.empty() && arguments.mesh.empty()) {
-        if (auto error = write_file("-", plateau_table(session))) return error;
-    }
+    const auto outputs = arguments.outputs();
+    const bool has_outputs =
+        std::any_of(outputs.begin(), outputs.end(), [](const std::string* path) { return !path->empty(); });
+    std::optional<Error> error;
+    const auto write = [&](const std::string& path, const auto& text_of) {
+        if (!path.empty() && !error) error = write_file(path, text_of());
+    };
+    write(arguments.betti, [&] { return betti_csv(session); });
+    write(arguments.plateaus, [&] { return plateaus_json(session); });
+    const bool is_reached = !arguments.at || *arguments.at <= steps;
+    const std::optional<Step> shown = is_reached ? arguments.at : std::nullopt;
+    write(arguments.session, [&] { return saved_session(session, saved, shown); });
+    if (!is_reached && !error) error = out_of_range(*arguments.at, steps);
+    write(arguments.mesh, [&] { return mesh_file(session, *mesh_format_of(arguments.mesh), arguments.at); });
+    write(arguments.complex, [&] { return complex_vtk(session, arguments.at); });
+    write(arguments.report, [&] { return surface_report_json(session, arguments.at); });
+    if (!has_outputs) write("-", [&] { return plateau_table(session); });
     if (arguments.hash) {
         std::array<char, 32> text{};
         std::snprintf(text.data(), text.size(), "hash %016llx\n", static_cast<unsigned long long>(session.hash()));
-        if (auto error = write_file("-", text.data())) return error;
+        write("-", [&] { return std::string(text.data()); });
     }
+    return error;
+}
+
+/// Before a long run rather than after it.
+std::optional<Error> objection_to(const RunArguments& arguments, const Session& session) {
+    if (!arguments.mesh.empty()) {
+        if (auto objection = mesh_objection(session)) return objection;
+    }
+    if (!arguments.report.empty()) {
+        if (auto objection = report_objection(session)) return objection;
+    }
+    const Step planned = session.progress().steps_planned;
+    if (arguments.at && *arguments.at > planned) return out_of_range(*arguments.at, planned);
     return std::nullopt;
 }
 
@@ -111,19 +135,25 @@ Result<int> run(const RunArguments& arguments) {
         return Error{read.error().code, name + ": " + read.error().message};
     }
     std::vector<std::string> notes = std::move(read.value().warnings);
+    const std::optional<SavedRun> saved = std::move(read.value().saved);
+    if (saved) {
+        const std::uint64_t memory_limit = options.memory_limit;
+        auto known = continued(*saved, arguments);
+        if (!known) return known.error();
+        options = std::move(known).value();
+        options.memory_limit = memory_limit;
+    }
 
     auto opened = Session::open(std::move(read.value().cloud), options);
     if (!opened) return opened.error();
     Session session = std::move(opened).value();
-    if (auto objection = mesh_objection(session); objection && !arguments.mesh.empty()) return std::move(*objection);
-    const Step planned = session.progress().steps_planned;
-    if (arguments.at && *arguments.at > planned) return out_of_range(*arguments.at, planned);
+    if (auto objection = objection_to(arguments, session)) return std::move(*objection);
 
     const Progress progress = run_to_end(session, arguments.progress);
     if (progress.stopped && progress.steps_done == 0) return *progress.stopped;
     const std::string place =
         "after step " + std::to_string(progress.steps_done) + " of " + std::to_string(progress.steps_planned);
-    if (auto error = write_outputs(arguments, session)) {
+    if (auto error = write_outputs(arguments, session, saved)) {
         // A mesh of a step that was not reached is the interruption's doing.
         if (interrupted() && error->code == ErrorCode::InvalidOption) {
             report({"Interrupted " + place + ", before the step of --at."});
@@ -132,6 +162,9 @@ Result<int> run(const RunArguments& arguments) {
         return std::move(*error);
     }
     if (const auto note = degeneracy(session.timeline())) notes.push_back(*note);
+    if (saved) {
+        if (auto note = disagreement(*saved, session)) notes.push_back(std::move(*note));
+    }
     if (progress.stopped) notes.push_back(progress.stopped->message);
     if (progress.ended_at_noise) {
         std::array<char, 64> text{};

@@ -8,6 +8,7 @@
 #include "io/format_reader.h"
 #include "io/matrix_sink.h"
 #include "io/row_sink.h"
+#include "io/session_file.h"
 #include "io/text.h"
 
 namespace plateau {
@@ -57,6 +58,7 @@ struct CloudReader::State {
     bool reads_distances;
     RowSink points;
     MatrixSink distances;
+    std::optional<SavedRun> saved;
     std::unique_ptr<FormatReader> reader;  ///< null when done
     std::optional<Error> error;
 
@@ -65,6 +67,10 @@ struct CloudReader::State {
           reads_distances(options.as == ReadAs::Distances),
           points(options),
           distances(options.memory_limit, bytes.size()) {
+        if (begins_as_session(bytes)) {
+            begin_session();
+            return;
+        }
         error = reads_distances ? MatrixSink::check_options(options) : points.check_options();
         if (error) return;
         std::string_view view = bytes;
@@ -85,6 +91,17 @@ struct CloudReader::State {
         } else {
             reader = make_reader(view, extension_of(file_name), points);
         }
+    }
+
+    void begin_session() {
+        auto header = parse_session_header(bytes);
+        if (!header) {
+            error = header.error();
+            return;
+        }
+        reads_distances = header.value().has_distances;
+        reader = make_session_reader(bytes, header.value(), points, distances);
+        saved = std::move(header.value().saved);
     }
 };
 
@@ -111,7 +128,9 @@ Result<ReadCloud> CloudReader::take() {
     advance(std::numeric_limits<double>::infinity());
     state_->bytes = {};
     if (state_->error) return *state_->error;
-    return state_->reads_distances ? state_->distances.finished() : state_->points.finished();
+    auto read = state_->reads_distances ? state_->distances.finished() : state_->points.finished();
+    if (read) read.value().saved = std::move(state_->saved);
+    return read;
 }
 
 Result<ReadCloud> read_cloud(std::string bytes, std::string_view file_name, const ReadOptions& options) {

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.h"
 #include "cloud/point_cloud.h"
+#include "io/saved_run.h"
 
 namespace plateau {
 
@@ -32,6 +34,7 @@ struct ReadCloud {
     PointCloud cloud;                   ///< finite coordinates, not all points equal; or distances, not all 0
     std::vector<std::string> warnings;  ///< sentences for a person, e.g. which columns were taken
     std::uint32_t columns_in_file = 0;
+    std::optional<SavedRun> saved;  ///< of a session file
 };
 
 /// Reads the bytes of a point file in slices: tables (.xyz .txt .csv), .ply (ascii and binary), .off, .obj (vertices),
@@ -44,6 +47,9 @@ struct ReadCloud {
 /// the first row and column are skipped. Entries that differ from their mirror image by rounding alone are taken from
 /// below the diagonal, with a warning. Of up to 300 points all triples are held against the triangle inequality, of
 /// more two million that are drawn, the same ones every time; a failing one is named in a warning.
+///
+/// A session file (io/session_file.h), told by how it begins, says by itself what its numbers are; columns cannot be
+/// named and the triangle inequality was looked at when they were read first.
 ///
 /// Errors name the line: EmptyInput, TooFewPoints (one point, or all equal), NotANumber, RaggedRows, MalformedInput,
 /// UnknownFormat (a file of another kind, which the sentence names), UnsupportedDimension (more than three columns and

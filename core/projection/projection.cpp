@@ -1,5 +1,8 @@
 #include "projection/projection.h"
 
+// Vectors of the processor's size would add up in an order of their own.
+#define EIGEN_DONT_VECTORIZE
+
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 
@@ -26,6 +29,11 @@ struct Axes {
     VectorXd spread;      // their eigenvalues, falling, all positive
     std::vector<double> shares;
 };
+
+// Products are summed in blocks of the size of the caches, which must not be those of the machine.
+void settle_blocks() {
+    Eigen::setCpuCacheSizes(1 << 15, 1 << 18, 1 << 21);
+}
 
 // The leading eigenvectors of a symmetric matrix whose entries are sums of squares as large as `squares`.
 Axes leading_axes(const MatrixXd& symmetric, double squares) {
@@ -79,6 +87,7 @@ Pivots choose_pivots(std::uint32_t count, std::uint32_t most, const DistanceRow&
 }  // namespace
 
 Projection principal_axes(const PointCloud& cloud) {
+    settle_blocks();
     const std::uint32_t n = cloud.size();
     const auto d = static_cast<Index>(cloud.dimension);
     const auto row = [&](std::uint32_t index) { return Eigen::Map<const VectorXd>(cloud.point(index).data(), d); };
@@ -105,6 +114,7 @@ Projection principal_axes(const PointCloud& cloud) {
 }
 
 Projection classical_scaling(std::uint32_t count, const DistanceRow& row) {
+    settle_blocks();
     const auto affordable = static_cast<std::uint32_t>(std::max<std::size_t>(kMostKeptDistances / count, 16));
     const Pivots pivots = choose_pivots(count, std::min({count, kMostPivots, affordable}), row);
     const auto m = static_cast<Index>(pivots.witness.size());
@@ -125,6 +135,13 @@ Projection classical_scaling(std::uint32_t count, const DistanceRow& row) {
         for (const double value : along) projection.coordinates.push_back(static_cast<float>(value));
     }
     return projection;
+}
+
+Projection projection_of(const PointCloud& cloud) {
+    if (cloud.dimension > 0) return principal_axes(cloud);
+    const DistanceMatrix& distances = cloud.distances;
+    return classical_scaling(distances.size,
+                             [&](std::uint32_t witness, std::span<double> row) { distances.row(witness, row); });
 }
 
 }  // namespace plateau

@@ -10,7 +10,7 @@
 namespace plateau {
 
 /// Coordinates to draw a cloud with that has more than three of its own, or none. For eyes only: nothing that is
-/// counted, compared or hashed depends on it.
+/// counted, compared or hashed depends on it. The same bytes on every machine all the same: files hold them.
 struct Projection {
     std::uint32_t axes = 0;          ///< at most kMostAxes, fewer where the cloud spreads in fewer directions
     std::vector<float> coordinates;  ///< n rows of `axes` numbers, in input units, around the origin
@@ -31,5 +31,8 @@ using DistanceRow = std::function<void(std::uint32_t witness, std::span<double> 
 /// distances to those (landmark MDS, de Silva & Tenenbaum 2004). A share is one of the eigenvalues' magnitudes: where
 /// no coordinates at all have these distances, some are negative and no axis keeps them.
 Projection classical_scaling(std::uint32_t count, const DistanceRow& row);
+
+/// Of a cloud that cannot be drawn as it is: principal_axes() of its coordinates, classical_scaling() of its distances.
+Projection projection_of(const PointCloud& cloud);
 
 }  // namespace plateau

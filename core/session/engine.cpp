@@ -146,8 +146,12 @@ void Engine::record_numbers() {
     timeline_.shown_family.push_back(shows_surface ? Family::Surface : complex);
 }
 
-std::uint64_t Engine::hash() {
-    while (hashed_ < timeline_.step_count) extend_hash(++hashed_);
+std::uint64_t Engine::hash_at(Step step) {
+    if (step < hashed_) {
+        hashed_ = 0;
+        hash_ = {};
+    }
+    while (hashed_ < step) extend_hash(++hashed_);
     return hash_.value();
 }
 

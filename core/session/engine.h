@@ -56,8 +56,8 @@ public:
     std::uint32_t farthest() const { return lists_.farthest(); }
 
     const Timeline& timeline() const { return timeline_; }
-    /// Of all steps so far. Cost: the records since the last call.
-    std::uint64_t hash();
+    /// Of the steps up to this one. Cost: the records since the step of the last call, or all if that was later.
+    std::uint64_t hash_at(Step step);
     const LandmarkLists& lists() const { return lists_; }
     /// Bytes of the large tables.
     std::uint64_t memory() const;

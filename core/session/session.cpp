@@ -134,6 +134,7 @@ void Session::run_past_noise() {
     State& s = *state_;
     s.noise_scale.reset();
     s.noise = 0;
+    s.options.noise_stop_from = RunOptions{}.noise_stop_from;
     if (s.ended_at_noise) s.end = RunState::Running;
     s.ended_at_noise = false;
 }
@@ -163,7 +164,10 @@ const Timeline& Session::timeline() const {
     return state_->engine.timeline();
 }
 std::uint64_t Session::hash() const {
-    return state_->engine.hash();
+    return state_->engine.hash_at(timeline().step_count);
+}
+std::uint64_t Session::hash_at(Step step) const {
+    return state_->engine.hash_at(step);
 }
 
 namespace {

@@ -92,6 +92,8 @@ public:
     std::vector<Plateau> plateaus() const { return find_plateaus(timeline()); }
     /// 64-bit FNV-1a over all complete steps: (step, landmark, bits of epsilon, births and deaths, rows, Betti vector).
     std::uint64_t hash() const;
+    /// The hash that the run had when so many steps were complete. Precondition: step <= step_count().
+    std::uint64_t hash_at(Step step) const;
 
 private:
     struct State;

@@ -17,6 +17,7 @@
 
 #include "cloud/samples.h"
 #include "command.h"
+#include "io/mesh_files.h"
 #include "io/writers.h"
 
 namespace plateau {
@@ -33,8 +34,9 @@ TEST_F(Command, HelpAndVersion) {
     EXPECT_EQ(plateau({"--version"}).output.rfind("plateau ", 0), 0u);
     const std::string help = plateau({"run", "--help"}).output;
     for (const char* option :
-         {"--family", "--nu", "--first", "--steps", "--until", "--rho", "--columns", "--field", "--metric", "--knn",
-          "--box", "--max-dim", "--betti", "--plateaus", "--mesh", "--at", "--hash", "--progress"}) {
+         {"--family", "--nu",      "--first",  "--steps",   "--until",   "--rho",   "--columns",
+          "--field",  "--metric",  "--knn",    "--box",     "--max-dim", "--betti", "--plateaus",
+          "--mesh",   "--complex", "--report", "--session", "--at",      "--hash",  "--progress"}) {
         EXPECT_TRUE(contains(help, option)) << option;
     }
     for (const SampleShape& shape : sample_shapes()) {

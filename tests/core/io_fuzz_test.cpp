@@ -9,6 +9,8 @@
 #include "cloud_files.h"
 #include "io/cloud_reader.h"
 #include "io/lzf.h"
+#include "io/saved_options.h"
+#include "io/session_file.h"
 
 namespace plateau {
 namespace {
@@ -175,6 +177,86 @@ std::vector<Seed> valid_matrices() {
         {"a.npy", array("{'descr': '>i2', 'fortran_order': True, 'shape': (2, 2), }", "\0\0\1\1\1\1\0\0"s)},
         {"a.npy", array("{'descr': '|u1', 'fortran_order': False, 'shape': (6,), }", "\1\2\3\4\5\6"s)},
     };
+}
+
+std::vector<std::string> valid_sessions() {
+    SavedRun saved;
+    saved.options = {{"family", "auto"}, {"nu", "1,6,6,4"}, {"box", "1,0.5"}, {"steps", "12"}};
+    saved.reached = 4;
+    saved.hash = 0x0123456789abcdef;
+    saved.shown = 3;
+    saved.view = "{\"points\": 4}";
+    PointCloud matrix;
+    matrix.distances = {4, {1, 2, 3, 0.1, 5, 6}, {}};
+    PointCloud narrow;
+    narrow.distances = {3, {}, {1, 2, 3}};
+    std::vector<std::string> sessions;
+    for (const PointCloud& cloud : {PointCloud{3, {0, 0, 0, 1, 2, 3, 0.1, 5, 6}}, PointCloud{2, {0, 0, 1, 1, 0, 1}},
+                                    PointCloud{5, {1, 2, 3, 4, 5, 6, 7, 8, 9, 0.1}}, matrix, narrow}) {
+        sessions.push_back(session_bytes(cloud, saved));
+    }
+    return sessions;
+}
+
+/// As long as before: what is longer or shorter mostly fails for its length alone.
+std::string with_other_bytes(std::string bytes, Random& random) {
+    const std::uint64_t changes = 1 + random.next_bits() % 3;
+    for (std::uint64_t k = 0; k < changes; ++k) {
+        const std::size_t at = random.next_bits() % bytes.size();
+        bytes[at] = static_cast<char>(random.next_bits());
+    }
+    return bytes;
+}
+
+TEST(ReaderFuzz, AnyBytesGiveASessionOrASentence) {
+    Random random(20240302);
+    ReadOptions options;
+    options.memory_limit = 1 << 20;
+    int sessions = 0;
+    int errors = 0;
+    for (const std::string& valid : valid_sessions()) {
+        ASSERT_TRUE(read_cloud(valid, "a.plateau", options));
+        for (int round = 0; round < 4000; ++round) {
+            std::string bytes = round % 3 == 1 ? with_other_bytes(valid, random) : mutated(valid, random);
+            // Numbers that a header can hold, at places where it holds them.
+            if (round % 3 == 0) {
+                constexpr std::string_view kCounts[] = {"0"sv,     "1"sv,          "2"sv,
+                                                        "65536"sv, "4294967296"sv, "18446744073709551615"sv};
+                std::vector<std::size_t> places;
+                for (std::size_t at = 1; at < std::min<std::size_t>(bytes.size(), 200); ++at) {
+                    if (bytes[at - 1] == ' ' && bytes[at] >= '0' && bytes[at] <= '9') places.push_back(at);
+                }
+                if (!places.empty()) {
+                    const std::size_t at = places[random.next_bits() % places.size()];
+                    bytes.replace(at, 1, kCounts[random.next_bits() % std::size(kCounts)]);
+                }
+            }
+            const auto result = read_cloud(bytes, "a.plateau", options);
+            std::string sentence;
+            if (result) {
+                const ReadCloud& read = result.value();
+                ASSERT_TRUE(validated(read.cloud));
+                ASSERT_GE(read.cloud.size(), 2u);
+                const std::size_t numbers = read.cloud.coordinates.size() + read.cloud.distances.entries.size() +
+                                            read.cloud.distances.narrow.size();
+                ASSERT_LE(4 * numbers, bytes.size());
+                if (read.saved) {
+                    ++sessions;
+                    ASSERT_LE(read.saved->view.size(), bytes.size());
+                    const auto known = options_of(*read.saved);
+                    if (!known) sentence = known.error().message;
+                }
+            } else {
+                ++errors;
+                sentence = result.error().message;
+                ASSERT_FALSE(sentence.empty());
+            }
+            ASSERT_LT(sentence.size(), 250u) << sentence;
+            for (const char c : sentence) ASSERT_TRUE(c >= ' ' && c <= '~') << sentence;
+        }
+    }
+    EXPECT_GT(sessions, 2000);
+    EXPECT_GT(errors, 2000);
 }
 
 TEST(ReaderFuzz, AnyBytesGiveDistancesOrASentence) {

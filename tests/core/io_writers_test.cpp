@@ -13,6 +13,8 @@
 #include "cloud/samples.h"
 #include "io/cloud_reader.h"
 #include "io/family_name.h"
+#include "io/mesh_files.h"
+#include "io/step_mesh.h"
 
 namespace plateau {
 namespace {

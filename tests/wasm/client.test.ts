@@ -92,6 +92,14 @@ describe('the client', () => {
     expect(await ply).toEqual(Uint8Array.of(2));
   });
 
+  test('asks for a session with what the page wants to find again', async () => {
+    const opening = client.open(source, {});
+    worker().open();
+    const run = await opening;
+    void run.exportFile('session', 3, '{"zoom":2}').catch(() => undefined);
+    expect(worker().requests[1]).toMatchObject({ format: 'session', step: 3, view: '{"zoom":2}' });
+  });
+
   test('turns a failure of the core into an error with its code and words', async () => {
     const opening = client.open(source, {});
     worker().answer({ kind: 'failed', runId: 1, requestId: 1, failure: { code: 3, message: 'Line 2 …' } });

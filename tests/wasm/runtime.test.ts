@@ -66,6 +66,28 @@ describe('the worker', () => {
     expect(delta.kind === 'delta' && delta.delta.state).toBe('finished');
   });
 
+  test('gives a session away and opens it as that run', () => {
+    open(1, 1);
+    slices();
+    runtime.handle({
+      kind: 'export',
+      runId: 1,
+      requestId: 2,
+      format: 'session',
+      step: 9,
+      view: '{"zoom":2}',
+    });
+    const exported = answerTo(2);
+    if (exported.kind !== 'exported') throw new Error('a file was asked for');
+    open(2, 3, file('any name', exported.bytes));
+    slices();
+    const opened = answerTo(3);
+    if (opened.kind !== 'opened') throw new Error('it is to be opened');
+    expect(opened.opened.session).toMatchObject({ step: 9, reached: 120, view: '{"zoom":2}' });
+    runtime.handle({ kind: 'fetchDelta', runId: 2, requestId: 4 });
+    expect(answerTo(4)).toMatchObject({ kind: 'delta', delta: { agreesWithSession: true } });
+  });
+
   test('computes nothing while it is paused', () => {
     open(1, 1, sample('torus', 2000));
     slices(2);

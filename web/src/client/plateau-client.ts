@@ -41,10 +41,11 @@ export class RemoteRun {
     return event.plateaus;
   }
 
-  /** The bytes of a file in the command's format; `step` is for the mesh. */
-  async exportFile(format: ExportFormat, step?: number): Promise<Uint8Array> {
+  /** The bytes of a file in the command's format; `step` is for what shows one, `view` for a session. */
+  async exportFile(format: ExportFormat, step?: number, view?: string): Promise<Uint8Array> {
     const at = step === undefined ? {} : { step };
-    const event = await this.link.send({ kind: 'export', runId: this.runId, format, ...at });
+    const kept = view === undefined ? {} : { view };
+    const event = await this.link.send({ kind: 'export', runId: this.runId, format, ...at, ...kept });
     if (event.kind !== 'exported') throw outOfTurn(event);
     return event.bytes;
   }

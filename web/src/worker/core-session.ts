@@ -56,8 +56,8 @@ export class CoreSession {
     return unwrapped(this.run.plateaus());
   }
 
-  exportFile(format: ExportFormat, step: number | undefined): Uint8Array<ArrayBuffer> {
-    return unwrapped(this.run.exportFile(format, step)).bytes;
+  exportFile(format: ExportFormat, step: number | undefined, view?: string): Uint8Array<ArrayBuffer> {
+    return unwrapped(this.run.exportFile(format, step, view)).bytes;
   }
 
   dispose(): void {

@@ -56,6 +56,8 @@ export type CloudSource =
       readonly columns?: readonly number[];
       /** A table of more than three columns is taken as a whole; absent: it asks which are meant. */
       readonly anyDimension?: boolean;
+      /** A session file is run with the options of the request; absent: with its own, all but the memory. */
+      readonly newOptions?: boolean;
     }
   | {
       readonly kind: 'sample';
@@ -71,7 +73,18 @@ export interface Failure {
   readonly message: string;
 }
 
-export type ExportFormat = 'betti-csv' | 'plateaus-json' | 'mesh-ply';
+export type ExportFormat =
+  | 'betti-csv'
+  | 'plateaus-json'
+  | 'mesh-ply'
+  | 'mesh-off'
+  | 'mesh-glb'
+  /** The complex with edges, triangles and tetrahedra; of every run. */
+  | 'complex-vtk'
+  /** The surface in numbers, JSON; of families `auto` and `surface`. */
+  | 'surface-report'
+  /** A file that opens as this run. */
+  | 'session';
 
 export type WorkerRequest =
   /** Reads the source, starts the run, and computes on until `pause`, `close` or the end. */
@@ -89,13 +102,17 @@ export type WorkerRequest =
   /** What was appended since the last answer; pulled by the page, at most one under way. */
   | { readonly kind: 'fetchDelta'; readonly runId: number; readonly requestId: number }
   | { readonly kind: 'fetchPlateaus'; readonly runId: number; readonly requestId: number }
-  /** `step` is 1-based and for mesh-ply only; absent: the middle of the longest plateau. */
+  /**
+   * `step` is 1-based and for mesh, complex, report and session; absent: the middle of the longest plateau. `view` is
+   * for the session: text that comes back as it is when the file is opened.
+   */
   | {
       readonly kind: 'export';
       readonly runId: number;
       readonly requestId: number;
       readonly format: ExportFormat;
       readonly step?: number;
+      readonly view?: string;
     }
   | { readonly kind: 'close'; readonly runId: number; readonly requestId: number };
 
@@ -109,6 +126,19 @@ export interface Projection {
   readonly coordinates: Float32Array;
   /** One an axis, falling: what it keeps of the whole spread, 0 to 1. */
   readonly shares: readonly number[];
+}
+
+/** What a session file says of its run. */
+export interface SavedSession {
+  /** The step that was shown; 0: none. */
+  readonly step: number;
+  /** Steps that were complete when it was saved, and their hash: see Delta.agreesWithSession. */
+  readonly reached: number;
+  readonly hash: string;
+  /** What the page gave when it was saved; empty if nothing. From a file: it may be anything. */
+  readonly view: string;
+  /** With which the run was opened. */
+  readonly options: RunOptions;
 }
 
 /** What the module says of a run that it has opened. */
@@ -138,6 +168,8 @@ export interface OpenedRun {
   readonly stepsAffordable: number;
   /** Readable remarks of the reader, e.g. "took columns 1-3 of 6". */
   readonly warnings: readonly string[];
+  /** When the source is a session file whose options were taken. */
+  readonly session?: SavedSession;
 }
 
 /** The cloud moved and scaled into the unit sphere, for single precision, which would lose clouds far from the origin. */
@@ -170,6 +202,8 @@ export interface Delta {
   readonly stepCount: number;
   /** 64-bit hash of all complete steps, 16 hex digits. */
   readonly hash: string;
+  /** Of a session file, once its steps are computed again: whether they have the hash that it says. */
+  readonly agreesWithSession?: boolean;
   /** What the run holds now, also for steps that later deltas tell. */
   readonly memoryBytes: number;
   /** Where the run ends by itself: the median distance of a point to its nearest other one. 0: nowhere, or not known yet. */

@@ -93,7 +93,7 @@ export class WorkerRuntime {
         this.send({ kind: 'plateaus', runId, requestId, plateaus: this.entry(runId).core.plateaus() });
         return;
       case 'export': {
-        const bytes = this.entry(runId).core.exportFile(request.format, request.step);
+        const bytes = this.entry(runId).core.exportFile(request.format, request.step, request.view);
         this.send({ kind: 'exported', runId, requestId, bytes });
         return;
       }
