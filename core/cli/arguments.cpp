@@ -236,7 +236,8 @@ Result<Arguments> parse_arguments(int count, const char* const* values) {
         if (auto error = complete_metric(run, raw, run_app->count("--knn") > 0)) return std::move(*error);
         if (auto error = check_outputs(run)) return std::move(*error);
         for (const CLI::Option* option : run_app->get_options()) {
-            if (option->count() > 0) run.named.push_back(option->get_name(false, true).substr(2));
+            if (option->count() == 0) continue;
+            for (const std::string& name : option->get_lnames()) run.named.push_back(name);
         }
         return Arguments(std::move(run));
     }
