@@ -74,11 +74,13 @@ val session_of(const SavedRun& saved, const RunOptions& options) {
     if (options.metric.metric == Metric::Geodesic) run.set("knn", options.metric.neighbors);
     if (!options.metric.box.empty()) run.set("box", val::array(options.metric.box));
     if (options.family) run.set("family", std::string(family_name(*options.family)));
-    if (!options.nu.empty()) run.set("nu", val::array(options.nu));
+    // The lists of family dilated are no choice.
+    if (!options.nu.empty() && options.family != Family::Dilated) run.set("nu", val::array(options.nu));
     if (options.max_dimension) run.set("maxDimension", *options.max_dimension);
     run.set("field", options.field);
     run.set("first", options.first);
     run.set("rho", options.rho);
+    if (options.family == Family::Dilated) run.set("dilation", options.dilation);
     if (options.max_steps != usual.max_steps) run.set("maxSteps", options.max_steps);
     if (options.until_epsilon != usual.until_epsilon) run.set("untilEpsilon", options.until_epsilon);
     if (options.noise_stop_from != usual.noise_stop_from) run.set("noiseStopFrom", options.noise_stop_from);

@@ -52,6 +52,7 @@ Result<RunOptions> continued(const SavedRun& saved, const RunArguments& argument
         options.noise_stop_from = asked.noise_stop_from;
     }
     if (names("rho")) options.rho = asked.rho;
+    if (names("dilation")) options.dilation = asked.dilation;
     if (names("field")) options.field = asked.field;
     return options;
 }

@@ -36,8 +36,14 @@ struct Cells {
 
 Cells cells_at(const Timeline& timeline, Step step) {
     Cells cells;
-    for (Step landmark = 1; landmark <= step; ++landmark) cells.add(std::span(&landmark, 1), kNever);
     if (step == 0) return cells;
+    std::vector<Step> vertex_death(step, kNever);
+    for (const HiddenLandmark& hidden : timeline.hidden) {
+        if (hidden.landmark <= step) vertex_death[hidden.landmark - 1] = hidden.from;
+    }
+    for (Step landmark = 1; landmark <= step; ++landmark) {
+        if (vertex_death[landmark - 1] > step) cells.add(std::span(&landmark, 1), vertex_death[landmark - 1]);
+    }
     const int track = timeline.shown_track(step);
     const int largest = std::min(static_cast<int>(kCellTypes.size()) - 1, static_cast<int>(timeline.dimension));
     for (int dim = 1; dim <= largest; ++dim) {

@@ -71,6 +71,7 @@ bool set_option(RunOptions& options, const Option& option) {
     if (name == "until") return read_number(value, options.until_epsilon);
     if (name == "noise-stop-from") return read_count(value, options.noise_stop_from);
     if (name == "rho") return read_number(value, options.rho);
+    if (name == "dilation") return read_number(value, options.dilation);
     if (name == "field") return read_count(value, options.field);
     return false;
 }
@@ -81,7 +82,8 @@ std::vector<Option> saved_options(const RunOptions& options) {
     const RunOptions usual;
     std::vector<Option> saved;
     if (options.family) saved.push_back({"family", std::string(family_name(*options.family))});
-    if (!options.nu.empty()) saved.push_back({"nu", joined(options.nu, ",")});
+    // The lists of family dilated are no choice.
+    if (!options.nu.empty() && options.family != Family::Dilated) saved.push_back({"nu", joined(options.nu, ",")});
     saved.push_back({"first", std::to_string(options.first)});
     saved.push_back({"metric", std::string(metric_name(options.metric.metric))});
     if (options.metric.metric == Metric::Geodesic) {
@@ -95,6 +97,7 @@ std::vector<Option> saved_options(const RunOptions& options) {
     if (options.max_dimension) saved.push_back({"max-dim", std::to_string(*options.max_dimension)});
     saved.push_back({"field", std::to_string(options.field)});
     saved.push_back({"rho", exact(options.rho)});
+    if (options.family == Family::Dilated) saved.push_back({"dilation", exact(options.dilation)});
     if (options.max_steps != usual.max_steps) saved.push_back({"steps", std::to_string(options.max_steps)});
     if (options.until_epsilon != usual.until_epsilon) saved.push_back({"until", exact(options.until_epsilon)});
     if (options.noise_stop_from != usual.noise_stop_from) {

@@ -139,6 +139,17 @@ TEST_F(Exports, ASessionOfWitnessesKeepsItsMetric) {
     EXPECT_TRUE(contains(refused({"run", session, "--metric", "l1"}), "matrix"));
 }
 
+TEST_F(Exports, ASessionOfDilatedWitnessesKeepsTheirRadius) {
+    const std::string file = sample_file("sphere", 200);
+    const std::string session = path("s.plateau");
+    const std::string hash =
+        hash_of({file, "--family", "dilated", "--dilation", "0.4", "--steps", "60", "--session", session});
+    EXPECT_NE(hash, hash_of({file, "--family", "dilated", "--steps", "60"}));
+    EXPECT_EQ(hash_of({session}), hash);
+    EXPECT_EQ(hash_of({session, "--dilation", "0.3"}),
+              hash_of({file, "--family", "dilated", "--dilation", "0.3", "--steps", "60"}));
+}
+
 TEST_F(Exports, ARunThatIsNotTheSavedOneIsTold) {
     const std::string file = sample_file("torus", 200);
     const std::string session = path("s.plateau");

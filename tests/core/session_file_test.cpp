@@ -129,6 +129,11 @@ TEST(SessionFile, KeepsOptions) {
     EXPECT_EQ(same.metric.box, options.metric.box);
     EXPECT_EQ(saved_options(same), saved.options);
 
+    options.family = Family::Dilated;
+    options.dilation = 0.3;
+    saved.options = saved_options(options);
+    EXPECT_EQ(options_of(saved).value().dilation, 0.3);
+
     options.metric = {Metric::Geodesic, 11, {}};
     saved.options = saved_options(options);
     EXPECT_EQ(options_of(saved).value().metric.neighbors, 11u);
