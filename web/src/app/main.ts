@@ -4,9 +4,9 @@ import './film-and-cards.css';
 import './tools.css';
 import './sheets.css';
 import './phone.css';
-import { diagramSvg } from '../view/diagram-svg.ts';
 import { byId } from './dom.ts';
 import { parseList } from './entries.ts';
+import { offerExports } from './exports.ts';
 import { acceptDrops } from './file-drop.ts';
 import { Gallery } from './gallery.ts';
 import { closeSheets, HelpSheet } from './help-sheet.ts';
@@ -15,8 +15,7 @@ import { Page } from './page.ts';
 import { workOffline } from './offline.ts';
 import { acceptPastes } from './paste.ts';
 import { SAMPLES, type Sample } from './samples.ts';
-import { saveFile } from './save-file.ts';
-import { fileStem, sourceName, startFrom } from './source.ts';
+import { startFrom } from './source.ts';
 import { explainTerms } from './term-tips.ts';
 
 const page = new Page();
@@ -64,32 +63,7 @@ byId('open-as-matrix', HTMLButtonElement).addEventListener('click', () =>
 
 byId('dismiss', HTMLButtonElement).addEventListener('click', () => page.dismissError());
 
-async function saveExport(format: 'betti-csv' | 'mesh-ply'): Promise<void> {
-  try {
-    const { currentChoice, currentStep } = page;
-    const stem = currentChoice ? fileStem(currentChoice) : 'plateau';
-    if (format === 'betti-csv') {
-      saveFile(`${stem}-betti.csv`, 'text/csv', new Uint8Array(await page.exportFile(format)));
-    } else {
-      const bytes = await page.exportFile(format, currentStep);
-      saveFile(`${stem}-step-${currentStep}.ply`, 'application/octet-stream', new Uint8Array(bytes));
-    }
-  } catch (error) {
-    page.showError(error);
-  }
-}
-byId('export-csv', HTMLButtonElement).addEventListener('click', () => void saveExport('betti-csv'));
-byId('export-ply', HTMLButtonElement).addEventListener('click', () => void saveExport('mesh-ply'));
-byId('export-svg', HTMLButtonElement).addEventListener('click', () => {
-  const { record, currentCards, currentChoice } = page;
-  if (!record || !currentChoice) {
-    page.showError('There is nothing to save yet.');
-    return;
-  }
-  const title = `Betti numbers over 1/ε: ${sourceName(currentChoice)}`;
-  const svg = diagramSvg(record, currentCards, title, page.axisKind);
-  saveFile(`${fileStem(currentChoice)}-diagram.svg`, 'image/svg+xml', svg);
-});
+offerExports(page);
 
 const gallery = new Gallery(page.client, openSample);
 const help = new HelpSheet();
@@ -102,7 +76,7 @@ byId('undo', HTMLButtonElement).addEventListener('click', () => page.travel(-1))
 byId('redo', HTMLButtonElement).addEventListener('click', () => page.travel(1));
 
 const axis = byId('axis', HTMLSelectElement);
-axis.addEventListener('change', () => page.setAxis(axis.value === 'linear' ? 'linear' : 'log'));
+axis.addEventListener('change', () => page.diagram.setAxis(axis.value === 'linear' ? 'linear' : 'log'));
 const speed = byId('speed', HTMLSelectElement);
 speed.addEventListener('change', () => {
   page.speed = Number(speed.value);
@@ -110,7 +84,7 @@ speed.addEventListener('change', () => {
 
 function turnAxis(): void {
   axis.value = axis.value === 'log' ? 'linear' : 'log';
-  page.setAxis(axis.value === 'linear' ? 'linear' : 'log');
+  page.diagram.setAxis(axis.value === 'linear' ? 'linear' : 'log');
 }
 
 listenToKeys({

@@ -3,15 +3,17 @@ import { History } from '../model/history.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
 import { grouped } from '../model/numbers.ts';
-import { stepAt, type AxisKind } from '../model/scale-axis.ts';
+import { stepAt } from '../model/scale-axis.ts';
+import { viewOf, viewText } from '../model/view-state.ts';
 import { DiagramView } from '../view/diagram-view.ts';
-import type { Failure, RunOptions } from '../worker/protocol.ts';
+import type { ExportFormat, Failure, RunOptions, SavedSession } from '../worker/protocol.ts';
 import { Announcer } from './announcer.ts';
 import { CardList } from './card-list.ts';
 import { byId, showLegend } from './dom.ts';
 import { EarlierRun, sameShape, type ShownRun } from './earlier-run.ts';
 import { Film } from './film.ts';
 import { Notices } from './notices.ts';
+import { openingOf, type Arrival, type Opening } from './opening.ts';
 import { RunFeed } from './run-feed.ts';
 import { RunNotes } from './run-notes.ts';
 import { SettingsForm } from './settings-form.ts';
@@ -24,23 +26,6 @@ import { ViewTools } from './view-tools.ts';
 /** While a run grows: the computation needs the time between two pictures. */
 const PICTURES_EVERY_MS = 120;
 
-/** What happens to the playhead when a cloud is opened. */
-type Arrival =
-  /** The film begins. */
-  | 'play'
-  /** The film waits at its beginning. */
-  | 'wait'
-  /** The playhead follows the computation and ends at the longest plateau: the answer. */
-  | 'answer'
-  /** It follows the computation to the scale where it was: other settings are compared there. */
-  | 'return';
-
-/** What was opened and how: all that is needed to open it again. */
-interface Opening {
-  readonly choice: SourceChoice;
-  readonly options: RunOptions;
-}
-
 /** The page as a whole: one run that is shown, one playhead, and the way from one run to the next. */
 export class Page {
   private readonly root = byId('plateau', HTMLElement);
@@ -50,10 +35,8 @@ export class Page {
   readonly tools = new ViewTools();
   /** None without WebGL. */
   readonly shape = shapeViewOrNone(this.tools.showScale);
-  private readonly diagram = new DiagramView(
-    byId('diagram', HTMLElement),
-    byId('timeline', HTMLElement),
-    (step) => this.goTo(step),
+  readonly diagram = new DiagramView(byId('diagram', HTMLElement), byId('timeline', HTMLElement), (step) =>
+    this.goTo(step),
   );
   private readonly status = new StatusLine(byId('readout', HTMLElement), byId('status', HTMLElement));
   private readonly transport = new Transport(this);
@@ -87,7 +70,8 @@ export class Page {
   private choice: SourceChoice | undefined;
   private options: RunOptions = {};
   private cards: readonly PlateauCard[] = [];
-  private returnTo = 0;
+  /** Where the playhead returns to, of the steps that there are; none: to the last one. */
+  private returnTo: ((record: RunRecord) => number) | undefined;
   private step = 0;
   private arrival: Arrival = 'wait';
   private picturesDue = 0;
@@ -113,9 +97,14 @@ export class Page {
   }
 
   /** The bytes of a file in the command's format; rejects with a sentence. */
-  async exportFile(format: 'betti-csv' | 'mesh-ply', step?: number): Promise<Uint8Array> {
+  async exportFile(format: ExportFormat, step?: number, view?: string): Promise<Uint8Array> {
     if (!this.feed) throw new Error('There is nothing to save yet.');
-    return this.feed.run.exportFile(format, step);
+    return this.feed.run.exportFile(format, step, view);
+  }
+
+  /** How the run is looked at, as a session keeps it. */
+  viewState(): string {
+    return viewText({ axis: this.diagram.axisKind, ...(this.shape ? { pose: this.shape.pose } : {}) });
   }
 
   /** Opens what was shown before (-1) or after (1), with its settings; also while such an opening is under way. */
@@ -146,9 +135,12 @@ export class Page {
         run.close().catch(() => undefined);
         return;
       }
-      this.show(new RunFeed(run, this.listener()), { choice, options }, arrival, begin);
-      this.settings.show(choice, options, run.opened);
-      if (!travelling) this.history.add({ choice, options });
+      const { session } = run.opened;
+      const opened = session ? openingOf(choice, session) : { choice, options };
+      this.show(new RunFeed(run, this.listener()), opened, session ? 'return' : arrival, begin);
+      if (session) this.restore(session);
+      this.settings.show(opened.choice, opened.options, run.opened);
+      if (!travelling) this.history.add(opened);
       this.shownPlace = this.history.place;
       this.notices.opened(run.opened);
     } catch (error) {
@@ -227,14 +219,6 @@ export class Page {
     this.film.speed = factor;
   }
 
-  get axisKind(): AxisKind {
-    return this.diagram.axisKind;
-  }
-
-  setAxis(kind: AxisKind): void {
-    this.diagram.setAxis(kind);
-  }
-
   /** Where nothing was opened yet, the way in is shown. */
   showEmpty(): void {
     byId('empty', HTMLElement).hidden = this.choice !== undefined;
@@ -273,7 +257,8 @@ export class Page {
   private show(feed: RunFeed, { choice, options }: Opening, arrival: Arrival, begin: number): void {
     this.film.pause();
     const before = this.shownRun();
-    this.returnTo = this.step > 0 ? (this.record?.epsilon(this.step) ?? 0) : 0;
+    const epsilon = this.step > 0 ? (this.record?.epsilon(this.step) ?? 0) : 0;
+    this.returnTo = epsilon > 0 ? (record) => stepAt(record, -Math.log(epsilon)) : undefined;
     this.feed?.dispose();
     this.feed = feed;
     this.choice = choice;
@@ -299,6 +284,15 @@ export class Page {
     this.showRunState(feed.record);
     this.notes.begin(feed.record, performance.now() - begin);
     feed.start();
+  }
+
+  /** The step and the view of a session; the run has just begun. */
+  private restore({ step, view }: SavedSession): void {
+    const { axis, pose } = viewOf(view);
+    if (step > 0) this.returnTo = (record) => Math.min(step, record.stepCount);
+    this.diagram.setAxis(axis);
+    byId('axis', HTMLSelectElement).value = axis;
+    if (this.shape && pose) this.shape.pose = pose;
   }
 
   private markHistory(): void {
@@ -341,7 +335,7 @@ export class Page {
 
   /** The step of the scale that was looked at before, or the last one as long as that is not reached. */
   private stepReached(record: RunRecord): number {
-    return this.returnTo > 0 ? stepAt(record, -Math.log(this.returnTo)) : record.stepCount;
+    return this.returnTo?.(record) ?? record.stepCount;
   }
 
   private showCards(cards: readonly PlateauCard[]): void {

@@ -5,7 +5,12 @@ import { BUNNY, SAMPLES } from './samples.ts';
 /** What the visitor chose to look at. A file is kept, not its bytes: it is read anew for other settings. */
 export type SourceChoice =
   | { readonly kind: 'sample'; readonly shape: string; readonly size: number; readonly noise?: number }
-  | { readonly kind: 'file'; readonly file: File; readonly columns?: readonly number[] };
+  | {
+      readonly kind: 'file';
+      readonly file: File;
+      readonly columns?: readonly number[];
+      /** A session is run with the settings of the page. */ readonly newOptions?: boolean;
+    };
 
 /** What the page begins with. */
 export interface Start {
@@ -43,7 +48,7 @@ export function fileStem(choice: SourceChoice): string {
 
 export async function cloudSource(choice: SourceChoice): Promise<CloudSource> {
   if (choice.kind === 'sample') return choice.shape === BUNNY ? bunnySource(choice) : choice;
-  const { file, columns } = choice;
+  const { file, columns, newOptions } = choice;
   let bytes: ArrayBuffer;
   try {
     bytes = await file.arrayBuffer();
@@ -57,6 +62,7 @@ export async function cloudSource(choice: SourceChoice): Promise<CloudSource> {
     name: file.name,
     bytes,
     ...(columns && columns.length > 0 ? { columns, anyDimension: true } : {}),
+    ...(newOptions ? { newOptions } : {}),
   };
 }
 
@@ -66,7 +72,13 @@ async function bunnySource({ size, noise = 0 }: { size: number; noise?: number }
   return { kind: 'file', name: 'bunny.xyz', bytes: new TextEncoder().encode(bunnyText(size, noise)).buffer };
 }
 
-const FAMILIES: readonly string[] = ['witness', 'delaunay', 'surface', 'auto', 'dilated'] satisfies readonly Family[];
+const FAMILIES: readonly string[] = [
+  'witness',
+  'delaunay',
+  'surface',
+  'auto',
+  'dilated',
+] satisfies readonly Family[];
 
 export function isFamily(text: string): text is Family {
   return FAMILIES.includes(text);

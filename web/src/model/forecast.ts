@@ -116,5 +116,8 @@ export function scanInWords(record: RunRecord, readMs: number): string {
   }
   if (endedAtNoise) sentences.push(`Stopped at the noise, ε = ${readable(noise)}.`);
   else if (noise > 0 && computing) sentences.push(`Stops at the noise, ε = ${readable(noise)}.`);
+  if (record.agreesWithSession === false) {
+    sentences.push('These steps are not those of the saved session: another version computed them.');
+  }
   return sentences.join(' ');
 }

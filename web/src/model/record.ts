@@ -64,6 +64,8 @@ export class RunRecord {
   /** The ε at which the run ends by itself; 0: nowhere, or not known yet. */
   noise = 0;
   endedAtNoise = false;
+  /** Of a session, once its steps are computed again: whether they are those that were saved. */
+  agreesWithSession: boolean | undefined;
 
   /** Extremes of the Betti numbers over blocks of steps, `bettiCount` entries a block. */
   private readonly blockLeast: number[] = [];
@@ -122,6 +124,7 @@ export class RunRecord {
     this.memoryBytes = delta.memoryBytes;
     this.noise = delta.noise;
     this.endedAtNoise = delta.endedAtNoise;
+    this.agreesWithSession = delta.agreesWithSession;
   }
 
   /** The run goes on beyond the noise. */

@@ -255,6 +255,18 @@ export class ShapeView {
     this.lookFrom(this.camera.position.clone().sub(this.controls.target).normalize());
   }
 
+  /** Where the eye is and what it looks at, in units of the frame. */
+  get pose(): readonly number[] {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  set pose([x = 0, y = 0, z = 1, ...target]: readonly number[]) {
+    this.camera.position.set(x, y, z);
+    this.controls.target.set(target[0] ?? 0, target[1] ?? 0, target[2] ?? 0);
+    this.controls.update();
+    this.requestRender();
+  }
+
   /** Turns the shape by parts of a full turn; in the plane, moves it by parts of what is seen. */
   turn(across: number, upright: number): void {
     const { target } = this.controls;

@@ -1,0 +1,24 @@
+import type { RunOptions, SavedSession } from '../worker/protocol.ts';
+import type { SourceChoice } from './source.ts';
+
+/** What happens to the playhead when a cloud is opened. */
+export type Arrival =
+  /** The film begins. */
+  | 'play'
+  /** The film waits at its beginning. */
+  | 'wait'
+  /** The playhead follows the computation and ends at the longest plateau: the answer. */
+  | 'answer'
+  /** It follows the computation to the scale where it was: other settings are compared there. */
+  | 'return';
+
+/** What was opened and how: all that is needed to open it again. */
+export interface Opening {
+  readonly choice: SourceChoice;
+  readonly options: RunOptions;
+}
+
+/** A session that is opened again with other settings is its points. */
+export function openingOf(choice: SourceChoice, { options }: SavedSession): Opening {
+  return { choice: choice.kind === 'file' ? { ...choice, newOptions: true } : choice, options };
+}
