@@ -69,3 +69,33 @@ test('Diagram (SVG): a well-formed picture of its own', async ({ page }) => {
     expect.arrayContaining(['1/ε', 'β₀ components', 'β₁ loops', 'β₂ voids', '1, 1, 0']),
   );
 });
+
+test('more formats: each is what its name says, of the step that is shown', async ({ page }) => {
+  await page.locator('.cards button[data-betti="1,2,1"]').first().click();
+  const step = await state(page, 'step');
+  await page.getByText('More formats').click();
+  const save = async (button: string): Promise<{ name: string; bytes: Buffer }> => {
+    const download = page.waitForEvent('download');
+    await page.getByRole('button', { name: button }).click();
+    const file = await download;
+    return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
+  };
+  const begins = { 'Mesh (OFF)': 'OFF', 'Mesh (GLB)': 'glTF', 'Complex (VTK)': '# vtk DataFile' };
+  for (const [button, beginning] of Object.entries(begins)) {
+    const { name, bytes } = await save(button);
+    const ending = button.slice(-4, -1).toLowerCase();
+    expect(name).toBe(`torus-step-${step}.${ending}`);
+    expect(bytes.subarray(0, beginning.length).toString('latin1')).toBe(beginning);
+  }
+  const report = await save('Surface in numbers (JSON)');
+  expect(report.name).toBe(`torus-step-${step}-surface.json`);
+  expect(JSON.parse(report.bytes.toString())).toMatchObject({ step: Number(step) });
+  const plateaus = await save('Plateaus (JSON)');
+  expect(plateaus.name).toBe('torus-plateaus.json');
+  expect(JSON.parse(plateaus.bytes.toString())).toHaveProperty('plateaus');
+  const picture = await save('Diagram (PNG)');
+  expect(picture.name).toBe('torus-diagram.png');
+  expect(picture.bytes.subarray(1, 4).toString('latin1')).toBe('PNG');
+  // Width and height, from the header: twice the drawing.
+  expect(picture.bytes.readUInt32BE(16)).toBe(1800);
+});
