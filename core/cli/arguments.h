@@ -19,7 +19,9 @@ struct RunArguments {
     std::vector<std::uint32_t> columns;  ///< 1-based; empty: as the reader decides
     std::string betti;                   ///< a path, "-" for standard output, empty for none; likewise below
     std::string plateaus;
+    std::string pumps;
     std::string mesh;
+    std::uint32_t nth = 1;                      ///< of the plateaus of at least the least length the one to stop at
     std::optional<Step> at;                     ///< step of the mesh
     std::optional<std::uint64_t> memory_limit;  ///< bytes; none: four fifths of the machine's
     bool hash = false;

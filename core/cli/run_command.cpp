@@ -18,7 +18,7 @@ namespace {
 constexpr double kSliceMs = 50;
 
 std::optional<Error> check_outputs(const RunArguments& arguments) {
-    for (const std::string* path : {&arguments.betti, &arguments.plateaus, &arguments.mesh}) {
+    for (const std::string* path : {&arguments.betti, &arguments.plateaus, &arguments.pumps, &arguments.mesh}) {
         if (auto error = check_writable(*path)) return error;
     }
     return std::nullopt;
@@ -30,7 +30,7 @@ Error out_of_range(Step at, Step steps) {
 }
 
 /// Steps until the end or until the user interrupts.
-Progress run_to_end(Session& session, bool show_progress) {
+Progress run_to_end(Session& session, std::uint32_t plateaus, bool show_progress) {
     ProgressLine line(show_progress);
     Progress progress = session.progress();
     while (progress.state == RunState::Preparing || progress.state == RunState::Running) {
@@ -40,6 +40,10 @@ Progress run_to_end(Session& session, bool show_progress) {
             break;
         }
         progress = session.run({.milliseconds = kSliceMs});
+        if (progress.ended_at_plateau && --plateaus > 0) {
+            session.run_to_next_plateau();
+            progress = session.progress();
+        }
         line.show(progress);
     }
     return progress;
@@ -53,11 +57,14 @@ std::optional<Error> write_outputs(const RunArguments& arguments, const Session&
     if (!arguments.plateaus.empty()) {
         if (auto error = write_file(arguments.plateaus, plateaus_json(session))) return error;
     }
+    if (!arguments.pumps.empty()) {
+        if (auto error = write_file(arguments.pumps, pumps_csv(session))) return error;
+    }
     if (!arguments.mesh.empty()) {
         if (arguments.at && *arguments.at > steps) return out_of_range(*arguments.at, steps);
         if (auto error = write_file(arguments.mesh, mesh_ply(session, arguments.at))) return error;
     }
-    if (arguments.betti.empty() && arguments.plateaus.empty() && arguments.mesh.empty()) {
+    if (arguments.betti.empty() && arguments.plateaus.empty() && arguments.pumps.empty() && arguments.mesh.empty()) {
         if (auto error = write_file("-", plateau_table(session))) return error;
     }
     if (arguments.hash) {
@@ -83,6 +90,17 @@ std::optional<std::string> degeneracy(const Timeline& timeline) {
     const std::uint32_t spanned = timeline.delaunay_dimension[timeline.step_count - 1];
     if (spanned >= timeline.dimension) return std::nullopt;
     return spanned == 1 ? "All points lie on one line." : "All points lie in one plane.";
+}
+
+/// Weights that were small when they were chosen can be large for landmarks that came later.
+std::optional<std::string> amplitude_note(const Timeline& timeline) {
+    for (Step step = 1; step <= timeline.pumps.size(); ++step) {
+        if (timeline.pumps[step - 1].amplitude <= kLargestSafeAmplitude) continue;
+        return "From step " + std::to_string(step) + " on a weight is more than half of the distance to the nearest " +
+               "landmark: the theory of pumping does not reach that far, and landmarks may be hidden (" +
+               std::to_string(timeline.hidden.size()) + " are).";
+    }
+    return std::nullopt;
 }
 
 void report(const std::vector<std::string>& notes) {
@@ -119,7 +137,7 @@ Result<int> run(const RunArguments& arguments) {
     const Step planned = session.progress().steps_planned;
     if (arguments.at && *arguments.at > planned) return out_of_range(*arguments.at, planned);
 
-    const Progress progress = run_to_end(session, arguments.progress);
+    const Progress progress = run_to_end(session, arguments.nth, arguments.progress);
     if (progress.stopped && progress.steps_done == 0) return *progress.stopped;
     const std::string place =
         "after step " + std::to_string(progress.steps_done) + " of " + std::to_string(progress.steps_planned);
@@ -132,12 +150,14 @@ Result<int> run(const RunArguments& arguments) {
         return std::move(*error);
     }
     if (const auto note = degeneracy(session.timeline())) notes.push_back(*note);
+    if (const auto note = amplitude_note(session.timeline())) notes.push_back(*note);
     if (progress.stopped) notes.push_back(progress.stopped->message);
     if (progress.ended_at_noise) {
         std::array<char, 64> text{};
         std::snprintf(text.data(), text.size(), ": epsilon has fallen to the noise, %.3g.", progress.noise);
         notes.push_back("Stopped " + place + text.data());
     }
+    if (progress.ended_at_plateau) notes.push_back("Stopped " + place + ": a plateau is as long as was asked for.");
     if (interrupted()) notes.push_back("Interrupted " + place + ".");
     report(notes);
     return interrupted() ? kInterrupted : kDone;

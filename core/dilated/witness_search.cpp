@@ -79,8 +79,8 @@ std::optional<Watch> WitnessSearch::find(std::span<const Step> simplex, double z
             }
             continue;
         }
-        const bool right_first = tree.box_distance_squared(node.right, hint, axes) <
-                                 tree.box_distance_squared(index + 1, hint, axes);
+        const bool right_first =
+            tree.box_distance_squared(node.right, hint, axes) < tree.box_distance_squared(index + 1, hint, axes);
         pending_.push_back(right_first ? index + 1 : node.right);
         pending_.push_back(right_first ? node.right : index + 1);
     }

@@ -12,7 +12,7 @@ constexpr std::size_t kFirstBall = 16;  // columns
 }  // namespace
 
 void CycleSpace::update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
-                std::span<const Death> deaths) {
+                        std::span<const Death> deaths) {
     const SimplexTable& simplices = tables[static_cast<std::size_t>(k_ - 1)];
     const Around around{step, simplices, books};
     row_of_.resize(tables[static_cast<std::size_t>(k_ - 2)].size(), kNone);

@@ -7,7 +7,7 @@ GeneralBetti::GeneralBetti(int count, std::uint32_t prime) : skeleton_(0), simpl
 }
 
 void GeneralBetti::update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
-                std::span<const Death> deaths, std::span<const Step> hidden) {
+                          std::span<const Death> deaths, std::span<const Step> hidden) {
     simplices_.update(step, tables, deaths, hidden);
     hidden_ += static_cast<std::uint32_t>(hidden.size());
     skeleton_.update(step, tables.front(), deaths);

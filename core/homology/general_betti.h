@@ -30,7 +30,7 @@ public:
 private:
     SkeletonComponents skeleton_;
     SimplexCounts simplices_;
-    std::uint32_t hidden_ = 0;  // landmarks that are no vertices
+    std::uint32_t hidden_ = 0;        // landmarks that are no vertices
     std::vector<CycleSpace> cycles_;  // of dimension 2, 3, ...
 };
 

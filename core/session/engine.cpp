@@ -23,9 +23,7 @@ LandmarkLists lists_of(const PointCloud& cloud, const EngineOptions& options) {
 }  // namespace
 
 Engine::Engine(const PointCloud& cloud, const EngineOptions& options)
-    : cloud_(&cloud),
-      options_(options),
-      lists_(lists_of(cloud, options)) {
+    : cloud_(&cloud), options_(options), lists_(lists_of(cloud, options)) {
     timeline_.dimension = options.dimension;
     timeline_.family = options.family;
     timeline_.track_count = static_cast<int>(options.nu.size());
@@ -113,6 +111,7 @@ void Engine::follow_dilated(Step step) {
     const std::uint32_t input_index = timeline_.landmarks.back();
     dilated_->insert(step, cloud_->point(input_index), timeline_.epsilon(step), lists_, timeline_.simplices);
     timeline_.weights_squared.push_back(dilated_->landmarks().weight_squared(step));
+    if (options_.dilated.pumps) timeline_.pumps.push_back(dilated_->pump());
     for (const Step landmark : dilated_->hidden()) timeline_.hidden.push_back({landmark, step});
 }
 
@@ -173,7 +172,8 @@ void Engine::extend_hash(Step step) {
     }
     if (dilated_) {
         hash_.add_f64(timeline_.weights_squared[step - 1]);
-        for (; hashed_hidden_ < timeline_.hidden.size() && timeline_.hidden[hashed_hidden_].from <= step; ++hashed_hidden_)
+        for (; hashed_hidden_ < timeline_.hidden.size() && timeline_.hidden[hashed_hidden_].from <= step;
+             ++hashed_hidden_)
             hash_.add_u32(timeline_.hidden[hashed_hidden_].landmark);
     }
     hash_.add_byte(static_cast<std::uint8_t>(timeline_.shown_family[step - 1]));

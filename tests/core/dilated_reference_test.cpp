@@ -151,7 +151,7 @@ TEST_P(DilatedReference, EqualsTheDefinitionAtEveryStep) {
     for (const double dilation : {0.2, 0.6}) {
         RunOptions options;
         options.family = Family::Dilated;
-        options.dilation = dilation;
+        options.dilated.dilation = dilation;
         options.max_steps = max_steps;
         options.field = dilation == 0.2 ? 2 : 3;
         auto opened = Session::open(cloud, options);

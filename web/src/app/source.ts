@@ -66,7 +66,13 @@ async function bunnySource({ size, noise = 0 }: { size: number; noise?: number }
   return { kind: 'file', name: 'bunny.xyz', bytes: new TextEncoder().encode(bunnyText(size, noise)).buffer };
 }
 
-const FAMILIES: readonly string[] = ['witness', 'delaunay', 'surface', 'auto', 'dilated'] satisfies readonly Family[];
+const FAMILIES: readonly string[] = [
+  'witness',
+  'delaunay',
+  'surface',
+  'auto',
+  'dilated',
+] satisfies readonly Family[];
 
 export function isFamily(text: string): text is Family {
   return FAMILIES.includes(text);
