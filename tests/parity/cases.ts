@@ -175,12 +175,12 @@ function ofDilated(): Case[] {
     ['s2xs1', { dilation: 0.4 }],
     ['mobius', {}],
     ['torus', { dilation: 0.3, pump: true }],
-    ['s3', { pump: true, omegaBar: 0.4, zeta2: 0.5, sliver: 'normalized' }],
+    ['s3', { maxSteps: 30, pump: true, omegaBar: 0.4, zeta2: 0.5, sliver: 'normalized' }],
   ];
   const sized = full ? 5_000 : 400;
   const sampled = shapes.map(([shape, options]) => ({
     shape,
-    options: { ...options, maxSteps: full ? 200 : 90 },
+    options: { maxSteps: full ? 200 : 90, ...options },
     text: plateau(['sample', shape, '--n', String(sized)]),
   }));
   const grids = [grid([9, 8], 0.1), grid([4, 4, 3], 0.1), grid([3, 3, 2, 2], 0.25)].map((text, i) => ({
