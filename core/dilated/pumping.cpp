@@ -118,19 +118,23 @@ Pump Pumping::pump(double zeta, double largest, double tie_breaking, const std::
     levels_.clear();
     events_ = 0;
     Pump pump;
+    if (!may_be_witnessed({p_})) {
+        landmarks_->reweigh(tie_breaking);
+        pump.before = pump.after = 0;
+        return pump;
+    }
+    collect_star(vertices);
     std::vector<std::pair<double, Simplex>> flattest_first;
-    if (may_be_witnessed({p_})) {
-        collect_star(vertices);
-        for (const Simplex& simplex : star_) {
-            const double measure = sliver_measure(simplex, *landmarks_, options_.measure);
-            if (measure < 1) flattest_first.emplace_back(measure, simplex);
-        }
+    for (const Simplex& simplex : star_) {
+        const double measure = sliver_measure(simplex, *landmarks_, options_.measure);
+        if (measure < 1) flattest_first.emplace_back(measure, simplex);
     }
     std::sort(flattest_first.begin(), flattest_first.end());
 
     // Levels at which p is a vertex and no simplex so far is in its star, as ranges.
-    std::vector<Levels> left = {possible_[{p_}] ? own_levels({p_}) : Levels{}};
+    std::vector<Levels> left = {own_levels({p_})};
     bool before_is_known = left.front().first > 0;
+    if (before_is_known) pump.before = 0;
     for (std::size_t i = 0; i < flattest_first.size();) {
         // Simplices of one measure together: any level that only they take is as good as the next.
         const double measure = flattest_first[i].first;

@@ -24,7 +24,7 @@ struct PumpOptions {
 /// What pumping a landmark came to.
 struct Pump {
     double weight_squared = 0;  ///< omega(p)^2 as chosen, input units squared
-    double before = 1;          ///< smallest sliver measure in the star of p at weight 0
+    double before = 1;          ///< smallest sliver measure in the star of p at weight 0; 0 where p is hidden
     double after = 1;           ///< and at the chosen one
     std::uint32_t events = 0;  ///< simplices that were seen to enter or leave the star between weight 0 and the largest
     double amplitude = 0;      ///< relative amplitude of all weights at this step: largest omega(u) / |u - v|

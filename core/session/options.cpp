@@ -150,6 +150,9 @@ Result<RunOptions> resolved(RunOptions options, const PointCloud& cloud) {
     if (!(options.rho >= 0) || !std::isfinite(options.rho)) {
         return invalid("rho must be a positive number, or 0 to keep triangles of every radius-edge ratio.");
     }
+    if (options.dilated.pumps && options.family != Family::Dilated) {
+        return invalid("Weights are for family dilated only.");
+    }
     if (auto error = check_dilated(options.dilated)) return std::move(*error);
     if (options.field > 46337 || !is_prime(options.field)) {
         return invalid("The field must be a prime from 2 to 46337; got " + std::to_string(options.field) + ".");
