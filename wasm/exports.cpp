@@ -9,6 +9,7 @@
 #include "io/report_json.h"
 #include "io/saved_options.h"
 #include "io/session_file.h"
+#include "io/sliver_name.h"
 #include "io/step_mesh.h"
 #include "io/writers.h"
 #include "marshal.h"
@@ -80,7 +81,17 @@ val session_of(const SavedRun& saved, const RunOptions& options) {
     run.set("field", options.field);
     run.set("first", options.first);
     run.set("rho", options.rho);
-    if (options.family == Family::Dilated) run.set("dilation", options.dilation);
+    if (options.family == Family::Dilated) {
+        const DilatedOptions& dilated = options.dilated;
+        run.set("dilation", dilated.dilation);
+        if (dilated.pumps) {
+            run.set("pump", true);
+            run.set("omegaBar", dilated.pump.omega_bar);
+            run.set("zeta2", dilated.pump.dilation);
+            run.set("sliver", std::string(sliver_name(dilated.pump.measure)));
+        }
+    }
+    if (options.min_length != usual.min_length) run.set("minLength", options.min_length);
     if (options.max_steps != usual.max_steps) run.set("maxSteps", options.max_steps);
     if (options.until_epsilon != usual.until_epsilon) run.set("untilEpsilon", options.until_epsilon);
     if (options.noise_stop_from != usual.noise_stop_from) run.set("noiseStopFrom", options.noise_stop_from);

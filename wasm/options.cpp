@@ -7,6 +7,7 @@
 #include "cloud/samples.h"
 #include "io/family_name.h"
 #include "io/metric_name.h"
+#include "io/sliver_name.h"
 
 namespace plateau::marshal {
 
@@ -109,6 +110,7 @@ Result<RunOptions> run_options_of(const val& source) {
         options.max_steps = count.value();
     }
     if (const val epsilon = source["untilEpsilon"]; given(epsilon)) options.until_epsilon = epsilon.as<double>();
+    if (const val length = source["minLength"]; given(length)) options.min_length = length.as<double>();
     if (const val from = source["noiseStopFrom"]; given(from)) {
         auto count = count_of(from, "The size from which a cloud ends at its noise");
         if (!count) return count.error();
@@ -120,7 +122,18 @@ Result<RunOptions> run_options_of(const val& source) {
         if (!(limit >= 1)) return invalid("The memory must be a positive number of bytes.");
         options.memory_limit = std::min(options.memory_limit, static_cast<std::uint64_t>(std::min(limit, 1e15)));
     }
-    if (const val dilation = source["dilation"]; given(dilation)) options.dilation = dilation.as<double>();
+    if (const val dilation = source["dilation"]; given(dilation)) options.dilated.dilation = dilation.as<double>();
+    if (const val pump = source["pump"]; given(pump)) options.dilated.pumps = pump.as<bool>();
+    if (const val bar = source["omegaBar"]; given(bar)) options.dilated.pump.omega_bar = bar.as<double>();
+    if (const val zeta = source["zeta2"]; given(zeta)) options.dilated.pump.dilation = zeta.as<double>();
+    if (const val sliver = source["sliver"]; given(sliver)) {
+        const auto name = sliver.as<std::string>();
+        const auto measure = sliver_named(name);
+        if (!measure) {
+            return invalid("There is no sliver measure \"" + name + "\"; take " + std::string(kSliverChoice) + ".");
+        }
+        options.dilated.pump.measure = *measure;
+    }
     if (const val rho = source["rho"]; given(rho)) options.rho = rho.as<double>();
     return options;
 }

@@ -8,6 +8,7 @@
 #include "io/family_name.h"
 #include "io/mesh_files.h"
 #include "io/metric_name.h"
+#include "io/sliver_name.h"
 #include "io/text.h"
 
 namespace plateau::cli {
@@ -22,6 +23,8 @@ struct RawText {
     std::string megabytes;
     std::string metric;
     std::string box;
+    std::string sliver;
+    bool theory = false;
 };
 
 Error invalid(std::string message) {
@@ -93,6 +96,18 @@ std::optional<Error> complete(RunArguments& run, const RawText& raw) {
         if (!nu) return nu.error();
         run.options.nu = std::move(nu).value();
     }
+    DilatedOptions& dilated = run.options.dilated;
+    if (raw.theory) {
+        dilated.dilation = kTheoryDilation;
+        dilated.pumps = true;
+    }
+    if (!raw.sliver.empty()) {
+        const auto measure = sliver_named(raw.sliver);
+        if (!measure) {
+            return invalid("--sliver takes " + std::string(kSliverChoice) + "; got " + in_quotes(raw.sliver) + ".");
+        }
+        dilated.pump.measure = *measure;
+    }
     if (!raw.columns.empty()) {
         auto columns = parse_list(raw.columns, "--columns");
         if (!columns) return columns.error();
@@ -114,6 +129,8 @@ std::optional<Error> complete(RunArguments& run, const RawText& raw) {
         }
         run.memory_limit = *megabytes << 20;
     }
+    if (!run.pumps.empty() && !dilated.pumps) return invalid("--pumps is for --pump, which chooses weights.");
+    if (run.nth == 0) return invalid("--nth 0 is out of range: plateaus are counted from 1.");
     return std::nullopt;
 }
 
@@ -132,6 +149,23 @@ std::optional<Error> check_outputs(const RunArguments& run) {
     return std::nullopt;
 }
 
+void add_dilated(CLI::App& app, DilatedOptions& dilated, RawText& raw) {
+    auto* dilation = app.add_option("--dilation", dilated.dilation,
+                                    "Family dilated: radius of the witnesses as a part of epsilon, at most 1");
+    dilation->capture_default_str();
+    app.add_flag("--pump", dilated.pumps, "Family dilated: choose weights that keep flat simplices out");
+    app.add_option("--omega-bar", dilated.pump.omega_bar,
+                   "Pumping: the largest weight as a part of the distance to the nearest landmark, at most 0.5")
+        ->capture_default_str();
+    app.add_option("--zeta2", dilated.pump.dilation, "Pumping: radius of the witnesses as a part of epsilon, at most 1")
+        ->capture_default_str();
+    app.add_option("--sliver", raw.sliver,
+                   "Pumping: how flat a simplex is, literal (volume by the shortest edge) or normalized (its root, so "
+                   "that dimensions compare) [literal]");
+    app.add_flag("--theory", raw.theory, "Family dilated: the constants of the theory, --dilation 0.0368 --pump")
+        ->excludes(dilation);
+}
+
 void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
     app.add_option("INPUT", run.input,
                    "Point file (.xyz .txt .csv .ply .off .obj .pcd .npy), distance matrix (.csv .txt .npy) or session "
@@ -146,12 +180,14 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
     app.add_option("--until", raw.until,
                    "Stop once epsilon is at most this, in input units; noise: at the median distance of a point to its "
                    "nearest other one");
+    auto* length =
+        app.add_option("--min-length", run.options.min_length,
+                       "Stop once a plateau is this long: the natural logarithm of the ratio of its epsilons");
+    app.add_option("--nth", run.nth, "Go on to the n-th plateau of --min-length")->needs(length)->capture_default_str();
     app.add_option("--memory", raw.megabytes,
                    "Most memory to take, in MB; the run stops there [four fifths of the machine's]");
     app.add_option("--rho", run.options.rho, "Surface: drop triangles of a larger radius-edge ratio [off]");
-    app.add_option("--dilation", run.options.dilation,
-                   "Family dilated: radius of the witnesses as a part of epsilon, at most 1")
-        ->capture_default_str();
+    add_dilated(app, run.options.dilated, raw);
     app.add_option("--metric", raw.metric,
                    std::string(kMetricChoice) + " [euclidean]; all but euclidean are for family witness");
     app.add_option("--knn", run.options.metric.neighbors,
@@ -161,11 +197,13 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
                    "Metric periodic: the period of every axis, such as 1,1, or one for all; 0: none [the unit box]");
     app.add_option("--max-dim", run.options.max_dimension,
                    "Family witness: the last Betti number, at most 6 [that of the space, matrix: 2]");
-    app.add_option("--field", run.options.field, "Families witness and dilated: Betti numbers over Z/p for this prime p")
+    app.add_option("--field", run.options.field,
+                   "Families witness and dilated: Betti numbers over Z/p for this prime p")
         ->capture_default_str();
     app.add_option("--columns", raw.columns, "Columns that are the coordinates, from 1, such as 1,2,3 [all]");
     app.add_option("--betti", run.betti, "Write the Betti numbers of every step (CSV); - for standard output");
     app.add_option("--plateaus", run.plateaus, "Write the plateaus (JSON); - for standard output");
+    app.add_option("--pumps", run.pumps, "Write the weight of every landmark (CSV); - for standard output");
     app.add_option("--mesh", run.mesh,
                    "Write the shape of one step: .ply, .off or .glb by the name; - for standard output (PLY)");
     app.add_option(

@@ -20,7 +20,9 @@ struct RunArguments {
     std::vector<std::uint32_t> columns;  ///< 1-based; empty: as the reader decides
     std::string betti;                   ///< a path, "-" for standard output, empty for none; likewise below
     std::string plateaus;
+    std::string pumps;
     std::string mesh;
+    std::uint32_t nth = 1;  ///< of the plateaus of at least the least length the one to stop at
     std::string complex;
     std::string report;
     std::string session;
@@ -32,8 +34,8 @@ struct RunArguments {
     bool progress = false;  ///< also where standard error is no terminal
 
     /// Paths of all outputs.
-    std::array<const std::string*, 6> outputs() const {
-        return {&betti, &plateaus, &mesh, &complex, &report, &session};
+    std::array<const std::string*, 7> outputs() const {
+        return {&betti, &plateaus, &pumps, &mesh, &complex, &report, &session};
     }
 };
 

@@ -36,7 +36,7 @@ Error out_of_range(Step at, Step steps) {
 }
 
 /// Steps until the end or until the user interrupts.
-Progress run_to_end(Session& session, bool show_progress) {
+Progress run_to_end(Session& session, std::uint32_t plateaus, bool show_progress) {
     ProgressLine line(show_progress);
     Progress progress = session.progress();
     while (progress.state == RunState::Preparing || progress.state == RunState::Running) {
@@ -46,6 +46,10 @@ Progress run_to_end(Session& session, bool show_progress) {
             break;
         }
         progress = session.run({.milliseconds = kSliceMs});
+        if (progress.ended_at_plateau && --plateaus > 0) {
+            session.run_to_next_plateau();
+            progress = session.progress();
+        }
         line.show(progress);
     }
     return progress;
@@ -63,6 +67,7 @@ std::optional<Error> write_outputs(const RunArguments& arguments, const Session&
     };
     write(arguments.betti, [&] { return betti_csv(session); });
     write(arguments.plateaus, [&] { return plateaus_json(session); });
+    write(arguments.pumps, [&] { return pumps_csv(session); });
     const bool is_reached = !arguments.at || *arguments.at <= steps;
     const std::optional<Step> shown = is_reached ? arguments.at : std::nullopt;
     write(arguments.session, [&] { return saved_session(session, saved, shown); });
@@ -109,6 +114,17 @@ std::optional<std::string> degeneracy(const Timeline& timeline) {
     return spanned == 1 ? "All points lie on one line." : "All points lie in one plane.";
 }
 
+/// Weights that were small when they were chosen can be large for landmarks that came later.
+std::optional<std::string> amplitude_note(const Timeline& timeline) {
+    for (Step step = 1; step <= timeline.pumps.size(); ++step) {
+        if (timeline.pumps[step - 1].amplitude <= kLargestSafeAmplitude) continue;
+        return "From step " + std::to_string(step) + " on a weight is more than half of the distance to the nearest " +
+               "landmark: the theory of pumping does not reach that far, and landmarks may be hidden (" +
+               std::to_string(timeline.hidden.size()) + " are).";
+    }
+    return std::nullopt;
+}
+
 void report(const std::vector<std::string>& notes) {
     for (const std::string& note : notes) std::fprintf(stderr, "plateau: %s\n", note.c_str());
 }
@@ -149,7 +165,7 @@ Result<int> run(const RunArguments& arguments) {
     Session session = std::move(opened).value();
     if (auto objection = objection_to(arguments, session)) return std::move(*objection);
 
-    const Progress progress = run_to_end(session, arguments.progress);
+    const Progress progress = run_to_end(session, arguments.nth, arguments.progress);
     if (progress.stopped && progress.steps_done == 0) return *progress.stopped;
     const std::string place =
         "after step " + std::to_string(progress.steps_done) + " of " + std::to_string(progress.steps_planned);
@@ -165,12 +181,14 @@ Result<int> run(const RunArguments& arguments) {
     if (saved) {
         if (auto note = disagreement(*saved, session)) notes.push_back(std::move(*note));
     }
+    if (const auto note = amplitude_note(session.timeline())) notes.push_back(*note);
     if (progress.stopped) notes.push_back(progress.stopped->message);
     if (progress.ended_at_noise) {
         std::array<char, 64> text{};
         std::snprintf(text.data(), text.size(), ": epsilon has fallen to the noise, %.3g.", progress.noise);
         notes.push_back("Stopped " + place + text.data());
     }
+    if (progress.ended_at_plateau) notes.push_back("Stopped " + place + ": a plateau is as long as was asked for.");
     if (interrupted()) notes.push_back("Interrupted " + place + ".");
     report(notes);
     return interrupted() ? kInterrupted : kDone;

@@ -52,7 +52,12 @@ Result<RunOptions> continued(const SavedRun& saved, const RunArguments& argument
         options.noise_stop_from = asked.noise_stop_from;
     }
     if (names("rho")) options.rho = asked.rho;
-    if (names("dilation")) options.dilation = asked.dilation;
+    if (names("dilation") || names("theory")) options.dilated.dilation = asked.dilated.dilation;
+    if (names("pump") || names("theory")) options.dilated.pumps = true;
+    if (names("omega-bar")) options.dilated.pump.omega_bar = asked.dilated.pump.omega_bar;
+    if (names("zeta2")) options.dilated.pump.dilation = asked.dilated.pump.dilation;
+    if (names("sliver")) options.dilated.pump.measure = asked.dilated.pump.measure;
+    if (names("min-length")) options.min_length = asked.min_length;
     if (names("field")) options.field = asked.field;
     return options;
 }

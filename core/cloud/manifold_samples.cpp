@@ -81,8 +81,8 @@ Coordinates sample_two_scales(std::uint32_t size, Random& random) {
     return product_of_circles(kThin, size, random);
 }
 
-// The lengths along the two angles u, around, and v, along the small circle, are sqrt((1 + r cos v)^2 + (r sin v)^2 / 4)
-// and r, at right angles.
+// The lengths along the two angles u, around, and v, along the small circle, are sqrt((1 + r cos v)^2 + (r sin v)^2 /
+// 4) and r, at right angles.
 Coordinates sample_klein(std::uint32_t size, Random& random) {
     constexpr double kRadius = 0.5;
     Coordinates out;
@@ -130,9 +130,9 @@ Coordinates sample_so3(std::uint32_t size, Random& random) {
     Coordinates out;
     for (std::uint32_t k = 0; k < size; ++k) {
         const auto [w, x, y, z] = on_sphere<4>(random);
-        append(out, std::array{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-                               2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-                               2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)});
+        append(out, std::array{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
+                               1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
+                               1 - 2 * (x * x + y * y)});
     }
     return out;
 }

@@ -1,6 +1,8 @@
 #include "dilated/dilated_complex.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/random.h"
 
@@ -24,7 +26,8 @@ DilatedComplex::DilatedComplex(std::uint32_t dimension, const DilatedOptions& op
       landmarks_(dimension),
       books_(static_cast<int>(dimension)),
       living_(dimension + std::size_t{1}),
-      hidden_since_(1, kNever) {}
+      hidden_since_(1, kNever),
+      nearest_squared_(1, std::numeric_limits<double>::infinity()) {}
 
 std::span<const Step> DilatedComplex::tuple(std::size_t k, const SimplexIndex& simplex, Tables& tables) const {
     if (k == 0) return {&simplex, 1};
@@ -41,7 +44,8 @@ void DilatedComplex::insert(Step step, std::span<const double> point, double eps
     if (!search_) search_.emplace(lists, landmarks_);
     deaths_.clear();
     hidden_.clear();
-    landmarks_.add(point, tie_breaking_weight_squared(step, epsilon));
+    landmarks_.add(point, 0);
+    weigh(step, epsilon);
     hidden_since_.push_back(kNever);
     const double zeta = options_.dilation * epsilon;
 
@@ -64,6 +68,35 @@ void DilatedComplex::insert(Step step, std::span<const double> point, double eps
         tables[k].first_of_step.resize(step + std::size_t{2}, 0);
         tables[k].first_of_step[step + 1] = tables[k].size();
     }
+}
+
+// omega(p)^2 of the new landmark, and how large the weights are for the distances so far.
+void DilatedComplex::weigh(Step step, double epsilon) {
+    const double tie_breaking = tie_breaking_weight_squared(step, epsilon);
+    landmarks_.reweigh(tie_breaking);
+    if (!options_.pumps) return;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (Step other = 1; other < step; ++other) {
+        const double squared = landmarks_.distance_squared(other, landmarks_.point(step));
+        nearest = std::min(nearest, squared);
+        nearest_squared_[other] = std::min(nearest_squared_[other], squared);
+    }
+    nearest_squared_.push_back(nearest);
+    pump_ = {};
+    // The first landmark has no other, and at epsilon = 0 witnesses have no radius.
+    if (step > 1 && epsilon > 0) {
+        std::vector<Step> vertices;
+        for (const Living& vertex : living_[0]) vertices.push_back(vertex.simplex);
+        const double omega_bar = options_.pump.omega_bar;
+        Pumping pumping(landmarks_, *search_, options_.pump);
+        pump_ = pumping.pump(options_.pump.dilation * epsilon, omega_bar * omega_bar * nearest, tie_breaking, vertices);
+    }
+    double amplitude_squared = 0;
+    for (Step landmark = 1; landmark <= step; ++landmark) {
+        amplitude_squared =
+            std::max(amplitude_squared, landmarks_.weight_squared(landmark) / nearest_squared_[landmark]);
+    }
+    pump_.amplitude = std::sqrt(amplitude_squared);
 }
 
 void DilatedComplex::lose(double zeta, Tables& tables) {

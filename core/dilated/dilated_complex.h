@@ -9,14 +9,20 @@
 #include "complex/simplex_books.h"
 #include "complex/simplex_table.h"
 #include "dilated/cell_distance.h"
+#include "dilated/pumping.h"
 #include "dilated/weighted_landmarks.h"
 #include "dilated/witness_search.h"
 #include "landmarks/landmark_lists.h"
 
 namespace plateau {
 
+/// zeta_1 / epsilon of the theory, (3/8) sin(pi / 32) [BGO 5.2]. It asks for samples far denser than usual ones.
+inline constexpr double kTheoryDilation = 0.036756427623585226;
+
 struct DilatedOptions {
     double dilation = 0.2;  ///< zeta / epsilon: witnesses are balls of radius zeta
+    bool pumps = false;     ///< else all weights are 0, but for what breaks ties
+    PumpOptions pump;
 };
 
 /// The weighted witness complex with dilated witnesses [BGO], under insertion of landmarks. A simplex sigma is in it
@@ -44,6 +50,8 @@ public:
     const SimplexBooks& books() const { return books_; }
     /// omega(p)^2, and where the landmarks are.
     const WeightedLandmarks& landmarks() const { return landmarks_; }
+    /// The last pump; all defaults where landmarks are not pumped.
+    const Pump& pump() const { return pump_; }
     std::uint64_t memory() const;
 
 private:
@@ -59,6 +67,7 @@ private:
 
     std::span<const Step> tuple(std::size_t k, const SimplexIndex& simplex, Tables& tables) const;
     bool is_dead(std::size_t k, SimplexIndex simplex, Tables& tables) const;
+    void weigh(Step step, double epsilon);
     void lose(double zeta, Tables& tables);
     void kill(std::size_t k, SimplexIndex simplex, Tables& tables);
     void bear_edges(double zeta, Tables& tables);
@@ -72,6 +81,8 @@ private:
     std::optional<WitnessSearch> search_;
     std::vector<std::vector<Living>> living_;  // by dimension, from 0
     std::vector<Step> hidden_since_;           // by landmark, from 1; kNever: a vertex
+    std::vector<double> nearest_squared_;      // by landmark, from 1: squared distance to the nearest other one
+    Pump pump_;
     std::vector<Death> deaths_;
     std::vector<Step> hidden_;
 };

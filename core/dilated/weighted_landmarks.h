@@ -25,7 +25,10 @@ public:
         largest_weight_squared_ = std::max(largest_weight_squared_, weight_squared);
     }
     /// Gives the youngest landmark another weight.
-    void reweigh(double weight_squared) { weights_squared_.back() = weight_squared; }
+    void reweigh(double weight_squared) {
+        weights_squared_.back() = weight_squared;
+        largest_weight_squared_ = std::max(largest_weight_squared_, weight_squared);
+    }
 
     std::uint32_t dimension() const { return dimension_; }
     std::uint32_t size() const { return static_cast<std::uint32_t>(weights_squared_.size()); }
@@ -33,7 +36,7 @@ public:
         return coordinates_.data() + static_cast<std::size_t>(landmark - 1) * dimension_;
     }
     double weight_squared(Step landmark) const { return weights_squared_[landmark - 1]; }
-    /// At least that of every landmark so far.
+    /// At least that of every landmark so far, and of any that was tried.
     double largest_weight_squared() const { return largest_weight_squared_; }
     std::uint64_t memory() const { return sizeof(double) * (coordinates_.capacity() + weights_squared_.capacity()); }
 

@@ -60,6 +60,18 @@ std::optional<Watch> WitnessSearch::look_at(std::span<const Step> simplex, doubl
 std::optional<Watch> WitnessSearch::find(std::span<const Step> simplex, double zeta, const double* hint) {
     simplex_ = simplex;
     cell_.begin(simplex);
+    // Simplices are asked for in turn that share witnesses; that saves the way down the tree.
+    bool excluded = false;
+    for (std::size_t i = 0; i < std::min(successes_, successful_.size()); ++i) {
+        if (is_far(successful_[i], zeta)) continue;
+        if (const auto watch = examine(successful_[i], zeta, zeta, excluded)) return watch;
+    }
+    const auto watch = descend(zeta, hint);
+    if (watch) successful_[successes_++ % successful_.size()] = watch->witness;
+    return watch;
+}
+
+std::optional<Watch> WitnessSearch::descend(double zeta, const double* hint) {
     const KdTree& tree = balls_.tree();
     const auto axes = static_cast<std::size_t>(tree.dimension());
     pending_.assign(1, 0);
@@ -79,8 +91,8 @@ std::optional<Watch> WitnessSearch::find(std::span<const Step> simplex, double z
             }
             continue;
         }
-        const bool right_first = tree.box_distance_squared(node.right, hint, axes) <
-                                 tree.box_distance_squared(index + 1, hint, axes);
+        const bool right_first =
+            tree.box_distance_squared(node.right, hint, axes) < tree.box_distance_squared(index + 1, hint, axes);
         pending_.push_back(right_first ? index + 1 : node.right);
         pending_.push_back(right_first ? node.right : index + 1);
     }

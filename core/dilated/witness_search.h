@@ -41,6 +41,7 @@ private:
     const double* point(WitnessId witness) const { return balls_.tree().point(witness); }
     bool is_far(WitnessId witness, double limit) const;
     std::optional<Watch> examine(WitnessId witness, double zeta, double far, bool& excluded);
+    std::optional<Watch> descend(double zeta, const double* hint);
     double list_reach(WitnessId witness, double slack) const;
 
     const LandmarkLists* lists_;
@@ -48,6 +49,8 @@ private:
     WitnessBalls balls_;
     CellDistance cell_;
     std::span<const Step> simplex_;
+    std::array<WitnessId, 8> successful_{};  // the last witnesses found, for the next simplex may be near
+    std::size_t successes_ = 0;
     std::vector<std::uint32_t> pending_;
 };
 

@@ -9,8 +9,7 @@
 namespace plateau {
 
 /// The families' names on the command line and in files, by their numbers.
-inline constexpr std::array<std::string_view, 5> kFamilyNames = {"witness", "delaunay", "surface", "auto",
-                                                                "dilated"};
+inline constexpr std::array<std::string_view, 5> kFamilyNames = {"witness", "delaunay", "surface", "auto", "dilated"};
 
 inline std::string_view family_name(Family family) {
     return kFamilyNames[static_cast<std::size_t>(family)];

@@ -8,6 +8,7 @@
 #include "io/exact_text.h"
 #include "io/family_name.h"
 #include "io/metric_name.h"
+#include "io/sliver_name.h"
 #include "io/text.h"
 
 namespace plateau {
@@ -71,7 +72,16 @@ bool set_option(RunOptions& options, const Option& option) {
     if (name == "until") return read_number(value, options.until_epsilon);
     if (name == "noise-stop-from") return read_count(value, options.noise_stop_from);
     if (name == "rho") return read_number(value, options.rho);
-    if (name == "dilation") return read_number(value, options.dilation);
+    if (name == "min-length") return read_number(value, options.min_length);
+    if (name == "dilation") return read_number(value, options.dilated.dilation);
+    if (name == "pump") {
+        options.dilated.pumps = true;
+        const auto measure = sliver_named(value);
+        if (measure) options.dilated.pump.measure = *measure;
+        return measure.has_value();
+    }
+    if (name == "omega-bar") return read_number(value, options.dilated.pump.omega_bar);
+    if (name == "zeta2") return read_number(value, options.dilated.pump.dilation);
     if (name == "field") return read_count(value, options.field);
     return false;
 }
@@ -97,7 +107,16 @@ std::vector<Option> saved_options(const RunOptions& options) {
     if (options.max_dimension) saved.push_back({"max-dim", std::to_string(*options.max_dimension)});
     saved.push_back({"field", std::to_string(options.field)});
     saved.push_back({"rho", exact(options.rho)});
-    if (options.family == Family::Dilated) saved.push_back({"dilation", exact(options.dilation)});
+    if (options.min_length != usual.min_length) saved.push_back({"min-length", exact(options.min_length)});
+    if (options.family == Family::Dilated) {
+        saved.push_back({"dilation", exact(options.dilated.dilation)});
+        if (options.dilated.pumps) {
+            const PumpOptions& pump = options.dilated.pump;
+            saved.push_back({"pump", std::string(sliver_name(pump.measure))});
+            saved.push_back({"omega-bar", exact(pump.omega_bar)});
+            saved.push_back({"zeta2", exact(pump.dilation)});
+        }
+    }
     if (options.max_steps != usual.max_steps) saved.push_back({"steps", std::to_string(options.max_steps)});
     if (options.until_epsilon != usual.until_epsilon) saved.push_back({"until", exact(options.until_epsilon)});
     if (options.noise_stop_from != usual.noise_stop_from) {

@@ -59,8 +59,8 @@ private:
     std::optional<Error> split(std::string_view line) {
         if (auto error = split_fields(line, lines_.line_number(), fields_)) return error;
         if (fields_.size() > kMaxColumns) {
-            return Error{ErrorCode::MalformedInput, "Line " + std::to_string(lines_.line_number()) +
-                                                        " has " + std::to_string(fields_.size()) +
+            return Error{ErrorCode::MalformedInput, "Line " + std::to_string(lines_.line_number()) + " has " +
+                                                        std::to_string(fields_.size()) +
                                                         " columns: more than 4096 are no table of points."};
         }
         return std::nullopt;

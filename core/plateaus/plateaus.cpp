@@ -50,9 +50,7 @@ Step end_of_run(Step first, Step end, const Same& same) {
 
 std::vector<std::uint32_t> torsion_of(const Plateau& plateau, const Timeline& timeline, const PositiveScale& scale) {
     if (timeline.other_betti.empty()) return {};
-    const auto same = [&](Step a, Step b) {
-        return alike(timeline.other_betti_at(a), timeline.other_betti_at(b));
-    };
+    const auto same = [&](Step a, Step b) { return alike(timeline.other_betti_at(a), timeline.other_betti_at(b)); };
     std::span<const std::uint32_t> longest;
     double longest_ratio = 0;
     for (Step first = plateau.first_step, last = 0; first <= plateau.last_step; first = last + 1) {

@@ -121,6 +121,7 @@ void Engine::follow_dilated(Step step) {
     const std::uint32_t input_index = timeline_.landmarks.back();
     dilated_->insert(step, cloud_->point(input_index), timeline_.epsilon(step), lists_, timeline_.simplices);
     timeline_.weights_squared.push_back(dilated_->landmarks().weight_squared(step));
+    if (options_.dilated.pumps) timeline_.pumps.push_back(dilated_->pump());
     for (const Step landmark : dilated_->hidden()) timeline_.hidden.push_back({landmark, step});
 }
 

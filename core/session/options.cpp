@@ -13,7 +13,9 @@ namespace plateau {
 namespace {
 
 constexpr std::uint32_t kLargestNu = 32;
+constexpr double kLargestLength = 50;
 constexpr double kLargestDilation = 1;
+constexpr double kLargestAmplitude = 0.5;
 
 // Family dilated has no nu: these are the lists by which it looks for witnesses.
 std::vector<std::uint32_t> default_nu(Family family, std::uint32_t dimension) {
@@ -42,12 +44,12 @@ bool has_delaunay(const PointCloud& cloud, Metric metric) {
     return metric == Metric::Euclidean && cloud.dimension <= 3;
 }
 
+// In four and five dimensions dilated, unless what only family witness has is asked for.
 Family default_family(const PointCloud& cloud, const RunOptions& options) {
     const Metric metric = options.metric.metric;
-    const bool asks_for_witness = !options.nu.empty() || options.max_dimension;
-    if (metric == Metric::Euclidean && (cloud.dimension == 4 || cloud.dimension == 5)) {
-        return asks_for_witness ? Family::Witness : Family::Dilated;
-    }
+    const bool is_for_witness = !options.nu.empty() || options.max_dimension;
+    const bool may_be_dilated = cloud.dimension > 3 && cloud.dimension <= kMaxDilatedDimension && !is_for_witness;
+    if (metric == Metric::Euclidean && may_be_dilated) return Family::Dilated;
     if (!has_delaunay(cloud, metric)) return Family::Witness;
     return cloud.dimension == 2 ? Family::Delaunay : Family::Auto;
 }
@@ -60,7 +62,8 @@ std::optional<Error> check_family(const PointCloud& cloud, const RunOptions& opt
     if (options.family == Family::Dilated) {
         if (cloud.dimension <= kMaxDilatedDimension) return std::nullopt;
         return invalid("Family dilated takes points with up to " + std::to_string(kMaxDilatedDimension) +
-                       " coordinates; those with " + std::to_string(cloud.dimension) + " need family witness.");
+                       " coordinates; with " + std::to_string(cloud.dimension) +
+                       " coordinates they need family witness.");
     }
     if (!has_delaunay(cloud, Metric::Euclidean)) {
         return invalid("Points with " + std::to_string(cloud.dimension) + " coordinates need family witness" +
@@ -69,6 +72,23 @@ std::optional<Error> check_family(const PointCloud& cloud, const RunOptions& opt
     }
     if (cloud.dimension == 2 && options.family == Family::Surface) {
         return invalid("Family surface needs points in space; for points in the plane take delaunay or witness.");
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> check_dilated(const DilatedOptions& options) {
+    const auto is_between = [](double number, double low, double high) { return number >= low && number <= high; };
+    if (!is_between(options.dilation, 0, kLargestDilation)) {
+        return invalid("The dilation must be from 0 to " + short_number(kLargestDilation) +
+                       ": the radius of the witnesses as a part of epsilon.");
+    }
+    if (!is_between(options.pump.omega_bar, 0, kLargestAmplitude)) {
+        return invalid("omega-bar must be from 0 to " + short_number(kLargestAmplitude) +
+                       ": the largest weight as a part of the distance to the nearest landmark.");
+    }
+    if (!is_between(options.pump.dilation, 0, kLargestDilation)) {
+        return invalid("zeta2 must be from 0 to " + short_number(kLargestDilation) +
+                       ": the radius of the witnesses while a landmark is pumped, as a part of epsilon.");
     }
     return std::nullopt;
 }
@@ -123,13 +143,17 @@ Result<RunOptions> resolved(RunOptions options, const PointCloud& cloud) {
     if (!(options.until_epsilon >= 0) || !std::isfinite(options.until_epsilon)) {
         return invalid("The final epsilon must be a number, zero or positive, in the units of the points.");
     }
+    if (!(options.min_length >= 0 && options.min_length <= kLargestLength)) {
+        return invalid("The least length of a plateau must be from 0 to " + short_number(kLargestLength) +
+                       ": the natural logarithm of a ratio of epsilons.");
+    }
     if (!(options.rho >= 0) || !std::isfinite(options.rho)) {
         return invalid("rho must be a positive number, or 0 to keep triangles of every radius-edge ratio.");
     }
-    if (!(options.dilation >= 0 && options.dilation <= kLargestDilation)) {
-        return invalid("The dilation must be from 0 to " + short_number(kLargestDilation) +
-                       ": the radius of the witnesses as a part of epsilon.");
+    if (options.dilated.pumps && options.family != Family::Dilated) {
+        return invalid("Weights are for family dilated only.");
     }
+    if (auto error = check_dilated(options.dilated)) return std::move(*error);
     if (options.field > 46337 || !is_prime(options.field)) {
         return invalid("The field must be a prime from 2 to 46337; got " + std::to_string(options.field) + ".");
     }
@@ -146,7 +170,7 @@ EngineOptions engine_options(const RunOptions& resolved, std::uint32_t dimension
     engine.rho = resolved.rho;
     engine.field = resolved.field;
     engine.other_field = resolved.field == 2 ? 3 : 2;
-    engine.dilated.dilation = resolved.dilation;
+    engine.dilated = resolved.dilated;
     return engine;
 }
 

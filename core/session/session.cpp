@@ -7,6 +7,7 @@
 #include "base/words.h"
 #include "landmarks/noise_scale.h"
 #include "metrics/distance_rows.h"
+#include "plateaus/plateau_watch.h"
 #include "session/engine.h"
 #include "session/options.h"
 
@@ -18,6 +19,7 @@ struct Session::State {
           options(std::move(run_options)),
           engine(cloud, engine_options(options, cloud.dimension)),
           matrix_bytes(cloud.distances.memory()) {
+        if (options.min_length > 0) watch.emplace(options.min_length);
         if (cloud.size() >= options.noise_stop_from) noise_scale.emplace(engine.lists());
     }
 
@@ -31,6 +33,8 @@ struct Session::State {
     std::optional<NoiseScale> noise_scale;  // until the noise is known
     double noise = 0;                       // where the run ends by itself; 0: nowhere
     bool ended_at_noise = false;
+    std::optional<PlateauWatch> watch;
+    bool ended_at_plateau = false;
 
     Step steps() const { return engine.timeline().step_count; }
     // The first landmarks need not wait for it.
@@ -103,8 +107,9 @@ bool Session::State::insert_next(const Deadline& deadline) {
     if (!engine.finish_step(deadline)) return false;
     const double epsilon = engine.timeline().epsilon(steps());
     const bool done = steps() == std::min(cloud.size(), options.max_steps) || epsilon <= options.until_epsilon;
-    ended_at_noise = !done && epsilon <= noise;
-    if (done || ended_at_noise) {
+    ended_at_plateau = watch && watch->follow(engine.timeline()) && !done;
+    ended_at_noise = !done && !ended_at_plateau && epsilon <= noise;
+    if (done || ended_at_noise || ended_at_plateau) {
         end = RunState::Finished;
     } else if (memory() > options.memory_limit) {
         stopped = Error{ErrorCode::OutOfMemory, why_full()};
@@ -139,6 +144,12 @@ void Session::run_past_noise() {
     s.ended_at_noise = false;
 }
 
+void Session::run_to_next_plateau() {
+    State& s = *state_;
+    if (s.ended_at_plateau) s.end = RunState::Running;
+    s.ended_at_plateau = false;
+}
+
 Progress Session::progress() const {
     const State& s = *state_;
     const Timeline& timeline = s.engine.timeline();
@@ -149,6 +160,7 @@ Progress Session::progress() const {
     progress.epsilon = timeline.step_count == 0 ? 0 : timeline.epsilon(timeline.step_count);
     progress.noise = s.noise;
     progress.ended_at_noise = progress.state == RunState::Finished && s.ended_at_noise;
+    progress.ended_at_plateau = progress.state == RunState::Finished && s.ended_at_plateau;
     progress.memory = s.memory();
     if (progress.state == RunState::Stopped) progress.stopped = s.stopped;
     return progress;

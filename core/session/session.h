@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "cloud/point_cloud.h"
+#include "dilated/dilated_complex.h"
 #include "metrics/metric.h"
 #include "plateaus/plateaus.h"
 #include "timeline/timeline.h"
@@ -18,8 +19,8 @@ namespace plateau {
 inline constexpr std::uint32_t kMaxBetti = 6;
 
 struct RunOptions {
-    /// Default: Delaunay in the plane, Auto in space, Dilated in 4 and 5 dimensions; Witness in more, for every metric
-    /// but Euclidean, and in 4 and 5 dimensions where nu or max_dimension ask for it.
+    /// Default: Delaunay in the plane, Auto in space, Dilated in 4 and 5 dimensions unless nu or max_dimension is
+    /// given; Witness then, in more dimensions and for every metric but Euclidean.
     std::optional<Family> family;
     MetricOptions metric;  ///< other ones than Euclidean are for family witness
     /// Family witness: the last Betti number, of simplices up to one dimension more; at most kMaxBetti. Default: 2 for
@@ -29,7 +30,8 @@ struct RunOptions {
     std::uint32_t first = 0;        ///< 0-based input index of the first landmark
     std::uint32_t max_steps = std::numeric_limits<std::uint32_t>::max();
     double until_epsilon = 0;  ///< stop after the first step with epsilon <= this, input units
-    double dilation = 0.2;     ///< family dilated: radius of the witnesses as a part of epsilon
+    DilatedOptions dilated;    ///< family dilated: radius of the witnesses, pumping
+    double min_length = 0;     ///< stop where a plateau becomes this long, as Plateau::length() has it; 0 = off
     double rho = 0;            ///< surface: drop triangles with radius-edge ratio above this; 0 = off
     /// Families witness and dilated: a prime, at most 46337; Betti numbers over Z/field. Those over Z/2, or Z/3 where
     /// the field is 2, are counted beside them and tell torsion.
@@ -61,8 +63,9 @@ struct Progress {
     /// The noise at which the run ends by itself: the median distance of a witness to its nearest other one. 0: there
     /// is no such stop, or it is not known yet; it is known before epsilon can fall to it.
     double noise = 0;
-    bool ended_at_noise = false;  ///< Finished there; run_past_noise() goes on
-    std::uint64_t memory = 0;     ///< bytes that the run holds now
+    bool ended_at_noise = false;    ///< Finished there; run_past_noise() goes on
+    bool ended_at_plateau = false;  ///< Finished where one became long enough; run_to_next_plateau() goes on
+    std::uint64_t memory = 0;       ///< bytes that the run holds now
     std::optional<Error> stopped;
 };
 
@@ -85,6 +88,9 @@ public:
     /// Lifts the stop at the noise: the same run goes on to its end, nothing is computed again. Without such a stop it
     /// does nothing.
     void run_past_noise();
+    /// The same run goes on until the next plateau is long enough, or to its end; nothing is computed again. Where it
+    /// did not end at a plateau it does nothing.
+    void run_to_next_plateau();
 
     const PointCloud& cloud() const;
     const RunOptions& options() const;  ///< with the defaults filled in

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "complex/simplex_table.h"
+#include "dilated/pumping.h"
 
 namespace plateau {
 
@@ -52,6 +53,7 @@ struct Timeline {
     std::vector<SimplexTable> simplices;           ///< [k-1] = table of dimension k, k = 1 .. dimension
 
     std::vector<double> weights_squared;  ///< [step-1] = omega(p)^2, input units squared; family dilated
+    std::vector<Pump> pumps;              ///< [step-1]; family dilated where it pumps
     std::vector<HiddenLandmark> hidden;   ///< in the order of (from, landmark); family dilated
 
     std::vector<Death> deaths;  ///< in step order; within a step by (track, dimension, tuple)

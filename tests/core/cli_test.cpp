@@ -157,6 +157,15 @@ TEST_F(Command, BadUsageIsOneLineAndExit2) {
     refused({"run", file, "--betti", "-", "--mesh", "-"});
     EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--dilation", "1.5"}), "from 0 to 1"));
     EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--nu", "1,2"}), "has no nu"));
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--pumps", "-"}), "is for --pump"));
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--sliver", "thin"}), "literal or normalized"));
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--omega-bar", "0.7"}), "omega-bar"));
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--zeta2", "-1"}), "zeta2"));
+    refused({"run", file, "--theory", "--dilation", "0.3"});
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "witness", "--pump"}), "family dilated"));
+    EXPECT_TRUE(contains(refused({"run", file, "--min-length", "-1"}), "least length"));
+    EXPECT_TRUE(contains(refused({"run", file, "--min-length", "1", "--nth", "0"}), "--nth 0"));
+    refused({"run", file, "--nth", "2"});
     EXPECT_TRUE(contains(refused({"run", file, "--family", "cech"}), "witness, delaunay, surface, auto or dilated"));
     EXPECT_TRUE(contains(refused({"sample", "cube"}), "swiss-roll"));
     refused({"sample"});

@@ -130,9 +130,18 @@ TEST(SessionFile, KeepsOptions) {
     EXPECT_EQ(saved_options(same), saved.options);
 
     options.family = Family::Dilated;
-    options.dilation = 0.3;
+    options.dilated = {.dilation = 0.3,
+                       .pumps = true,
+                       .pump = {.omega_bar = 0.125, .dilation = 0.5, .measure = SliverMeasure::Normalized}};
+    options.min_length = 0.75;
     saved.options = saved_options(options);
-    EXPECT_EQ(options_of(saved).value().dilation, 0.3);
+    const RunOptions kept = options_of(saved).value();
+    EXPECT_EQ(kept.dilated.dilation, 0.3);
+    EXPECT_TRUE(kept.dilated.pumps);
+    EXPECT_EQ(kept.dilated.pump.omega_bar, 0.125);
+    EXPECT_EQ(kept.dilated.pump.dilation, 0.5);
+    EXPECT_EQ(kept.dilated.pump.measure, SliverMeasure::Normalized);
+    EXPECT_EQ(kept.min_length, 0.75);
 
     options.metric = {Metric::Geodesic, 11, {}};
     saved.options = saved_options(options);

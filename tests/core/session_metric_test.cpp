@@ -88,6 +88,9 @@ TEST(MetricOptions, WhatIsFilledIn) {
     EXPECT_EQ(four.family, Family::Dilated);
     EXPECT_FALSE(four.max_dimension);
     EXPECT_EQ(filled_in(uniform(5, 9), {}).family, Family::Dilated);
+    RunOptions asks_for_nu;
+    asks_for_nu.nu = {1, 2, 3};
+    EXPECT_EQ(filled_in(uniform(4, 9), asks_for_nu).family, Family::Witness);
     const RunOptions six = filled_in(uniform(6, 9), {});
     EXPECT_EQ(six.family, Family::Witness);
     EXPECT_EQ(six.max_dimension, 5u);

@@ -148,7 +148,9 @@ function ofMetrics(): Case[] {
 }
 
 /** Options as the command takes them, and a name for them. */
-function worded({ metric, box, knn, maxDimension, field, dilation, maxSteps }: RunOptions): { name: string; words: string[] } {
+function worded(options: RunOptions): { name: string; words: string[] } {
+  const { metric, box, knn, maxDimension, field, maxSteps } = options;
+  const { dilation, pump, omegaBar, zeta2, sliver } = options;
   const words = [
     ...(metric === undefined ? [] : ['--metric', metric]),
     ...(box === undefined ? [] : ['--box', box.join()]),
@@ -156,6 +158,10 @@ function worded({ metric, box, knn, maxDimension, field, dilation, maxSteps }: R
     ...(maxDimension === undefined ? [] : ['--max-dim', String(maxDimension)]),
     ...(field === undefined ? [] : ['--field', String(field)]),
     ...(dilation === undefined ? [] : ['--dilation', String(dilation)]),
+    ...(pump === true ? ['--pump'] : []),
+    ...(omegaBar === undefined ? [] : ['--omega-bar', String(omegaBar)]),
+    ...(zeta2 === undefined ? [] : ['--zeta2', String(zeta2)]),
+    ...(sliver === undefined ? [] : ['--sliver', sliver]),
     ...(maxSteps === undefined ? [] : ['--steps', String(maxSteps)]),
   ];
   return { name: words.join(' '), words };
@@ -168,12 +174,13 @@ function ofDilated(): Case[] {
     ['klein', { field: 3 }],
     ['s2xs1', { dilation: 0.4 }],
     ['mobius', {}],
-    ['torus', { dilation: 0.3 }],
+    ['torus', { dilation: 0.3, pump: true }],
+    ['s3', { maxSteps: 30, pump: true, omegaBar: 0.4, zeta2: 0.5, sliver: 'normalized' }],
   ];
   const sized = full ? 5_000 : 400;
   const sampled = shapes.map(([shape, options]) => ({
     shape,
-    options: { ...options, maxSteps: full ? 200 : 90 },
+    options: { maxSteps: full ? 200 : 90, ...options },
     text: plateau(['sample', shape, '--n', String(sized)]),
   }));
   const grids = [grid([9, 8], 0.1), grid([4, 4, 3], 0.1), grid([3, 3, 2, 2], 0.25)].map((text, i) => ({

@@ -39,7 +39,7 @@ test('points of four dimensions are drawn by a projection that says what it keep
   page,
 }) => {
   await openClifford(page);
-  await expect(page.getByRole('status')).toContainText(/β \d+, \d+, 0, 0 · witness/);
+  await expect(page.getByRole('status')).toContainText(/β \d+, \d+, 0, 0 · dilated/);
   await expect(page.getByText('β₃', { exact: true })).toBeVisible();
   const note = page.getByText(/^A projection: it keeps \d+ % of the spread\.$/);
   await expect(note).toHaveText('A projection: it keeps 75 % of the spread.');

@@ -179,7 +179,8 @@ DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& set
             least = std::min(least, cell_distance(seen, indices, limit));
             if (least <= static_cast<Real>(settings.zeta) - static_cast<Real>(settings.doubt)) return true;
         }
-        if (std::fabs(least - static_cast<Real>(settings.zeta)) <= static_cast<Real>(settings.doubt)) state.in_doubt = true;
+        if (std::fabs(least - static_cast<Real>(settings.zeta)) <= static_cast<Real>(settings.doubt))
+            state.in_doubt = true;
         return least <= static_cast<Real>(settings.zeta);
     };
     const int count = static_cast<int>(settings.landmarks.size());
@@ -200,6 +201,44 @@ DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& set
         }
     }
     return state;
+}
+
+double sliver_measure(const PointCloud& cloud, const std::vector<int>& landmarks, const Simplex& simplex,
+                      bool normalized) {
+    const std::size_t k = simplex.size() - 1;
+    if (k < 2) return 1;
+    std::vector<Row> points;
+    for (const int vertex : simplex) {
+        const auto point = cloud.point(static_cast<std::uint32_t>(landmarks[static_cast<std::size_t>(vertex - 1)]));
+        points.emplace_back(point.begin(), point.end());
+    }
+    const auto between = [&](std::size_t a, std::size_t b) {
+        Row difference(points[a].size());
+        for (std::size_t axis = 0; axis < difference.size(); ++axis)
+            difference[axis] = points[b][axis] - points[a][axis];
+        return difference;
+    };
+    Real shortest = std::numeric_limits<Real>::infinity();
+    for (std::size_t a = 0; a <= k; ++a) {
+        for (std::size_t b = 0; b < a; ++b) shortest = std::min(shortest, std::sqrt(dot(between(a, b), between(a, b))));
+    }
+    std::vector<Row> gram(k, Row(k));
+    for (std::size_t i = 0; i < k; ++i) {
+        for (std::size_t j = 0; j < k; ++j) gram[i][j] = dot(between(0, i + 1), between(0, j + 1));
+    }
+    Real determinant = 1;
+    for (std::size_t i = 0; i < k; ++i) {
+        determinant *= gram[i][i];
+        if (gram[i][i] == 0) return 0;
+        for (std::size_t row = i + 1; row < k; ++row) {
+            const Real factor = gram[row][i] / gram[i][i];
+            for (std::size_t j = i; j < k; ++j) gram[row][j] -= factor * gram[i][j];
+        }
+    }
+    const auto degree = static_cast<Real>(k);
+    const Real scaled = std::sqrt(std::max<Real>(determinant, 0)) / std::pow(shortest, degree);
+    const Real measure = normalized ? std::pow(scaled, 1 / degree) : scaled / std::tgamma(degree + 1);
+    return static_cast<double>(measure);
 }
 
 }  // namespace plateau::reference

@@ -25,4 +25,9 @@ struct DilatedState {
 /// apart.
 DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& settings);
 
+/// Volume by the shortest edge to the power k of a simplex of dimension k, from the Gram determinant; the k-th root of
+/// k! times it if `normalized`. 1 for vertices and edges.
+double sliver_measure(const PointCloud& cloud, const std::vector<int>& landmarks, const Simplex& simplex,
+                      bool normalized);
+
 }  // namespace plateau::reference

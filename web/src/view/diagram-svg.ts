@@ -8,7 +8,12 @@ const LEGEND_HEIGHT = 34;
 const BETTI_COLORS = ['#0072B2', '#D55E00', '#009E73', '#A0408C', '#7A6A00', '#5B5FC7', '#6B7280'];
 const BETTI_NAMES = ['β₀ components', 'β₁ loops', 'β₂ voids', 'β₃', 'β₄', 'β₅', 'β₆'];
 const LEGEND_STEPS = [140, 110, 105, 65, 65, 65, 65];
-const BAND_COLORS = { surface: '#56B4E9', delaunay: '#F0C75E', witness: '#CC79A7' } as const;
+const BAND_COLORS = {
+  surface: '#56B4E9',
+  delaunay: '#F0C75E',
+  witness: '#CC79A7',
+  dilated: '#CC79A7',
+} as const;
 const INK = '#1d2530';
 const GRAY = '#6b7480';
 

@@ -34,6 +34,14 @@ export interface RunOptions {
   readonly nu?: readonly number[];
   /** Family `dilated`: radius of the witnesses as a part of epsilon; absent: 0.2. */
   readonly dilation?: number;
+  /** Family `dilated`: weights are chosen so that flat simplices stay out; absent: weights 0. */
+  readonly pump?: boolean;
+  /** Pumping: the largest weight as a part of the distance to the nearest landmark; absent: 0.25. */
+  readonly omegaBar?: number;
+  /** Pumping: radius of the witnesses as a part of epsilon; absent: that of the theory. */
+  readonly zeta2?: number;
+  /** Pumping: how flat a simplex is. */
+  readonly sliver?: 'literal' | 'normalized';
   /** 0-based input index of the first landmark. */
   readonly first?: number;
   readonly maxSteps?: number;
