@@ -95,7 +95,7 @@ describe('the client', () => {
   test('turns a failure of the core into an error with its code and words', async () => {
     const opening = client.open(source, {});
     worker().answer({ kind: 'failed', runId: 1, requestId: 1, failure: { code: 3, message: 'Line 2 …' } });
-    await expect(opening).rejects.toMatchObject({ code: 3, message: 'Line 2 …' });
+    await expect(opening).rejects.toMatchObject({ code: 'not-a-number', message: 'Line 2 …' });
   });
 
   test('settles every promise when the worker dies, and goes on with a fresh one', async () => {

@@ -3,7 +3,6 @@ import { flatness } from '../model/flatness.ts';
 import type { Opened } from '../worker/protocol.ts';
 import { byId, setNotice } from './dom.ts';
 
-const UNSUPPORTED_DIMENSION = 7;
 /** What the command says to its own users; here the form asks. */
 const COMMAND_OPTION = / with --columns\b[^.]*\.?$/;
 
@@ -25,7 +24,7 @@ export class Notices {
   /** `about`: the file that the error came from, if it can be read anew with other columns. */
   error(error: unknown, about = ''): void {
     const asksForColumns =
-      about !== '' && error instanceof PlateauError && error.code === UNSUPPORTED_DIMENSION;
+      about !== '' && error instanceof PlateauError && error.code === 'unsupported-dimension';
     const message = error instanceof Error ? error.message : String(error);
     const said = asksForColumns ? message.replace(COMMAND_OPTION, '.') : message;
     this.alert.textContent = about === '' ? said : `${about}: ${said}`;

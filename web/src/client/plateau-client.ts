@@ -10,15 +10,8 @@ import type {
 import { PlateauError, WORKER_FAILED } from './plateau-error.ts';
 import { WorkerLink, type WorkerLike } from './worker-link.ts';
 
-function startWorker(): WorkerLike {
-  return new Worker(new URL('../worker/main.ts', import.meta.url), { type: 'module' });
-}
-
 function outOfTurn(event: WorkerEvent): PlateauError {
-  return new PlateauError({
-    code: WORKER_FAILED,
-    message: `The computation answered out of turn (${event.kind}).`,
-  });
+  return new PlateauError(WORKER_FAILED, `The computation answered out of turn (${event.kind}).`);
 }
 
 /** A run in the worker. Close it when it is no longer shown; its memory is freed there. */
@@ -67,13 +60,14 @@ export class RemoteRun {
   }
 }
 
-/** The page's door to the computation: opens runs in one worker, which it replaces when it dies. */
+/** The door to the computation: opens runs in one worker, which it replaces when it dies. */
 export class PlateauClient {
   private readonly link: WorkerLink;
   private nextRunId = 1;
 
-  constructor(options: { onDeath?: (error: PlateauError) => void; spawn?: () => WorkerLike } = {}) {
-    this.link = new WorkerLink(options.spawn ?? startWorker, options.onDeath ?? (() => undefined));
+  /** `spawn` starts a worker that serves runs; `onDeath` is told why one died. */
+  constructor(options: { spawn: () => WorkerLike; onDeath?: (error: PlateauError) => void }) {
+    this.link = new WorkerLink(options.spawn, options.onDeath ?? (() => undefined));
   }
 
   /**

@@ -49,6 +49,7 @@ export class WorkerLink {
         this.worker.postMessage({ ...request, requestId }, transfer);
       } catch (error) {
         this.pending.delete(requestId);
+        if (this.pending.size === 0) this.stopWatch();
         reject(error instanceof Error ? error : new Error(String(error)));
       }
     });
@@ -56,7 +57,7 @@ export class WorkerLink {
 
   /** Ends the worker; what is pending fails. The next request starts a fresh one. */
   dispose(): void {
-    this.end(new PlateauError({ code: WORKER_FAILED, message: 'The computation was closed.' }));
+    this.end(new PlateauError(WORKER_FAILED, 'The computation was closed.'));
   }
 
   private start(): WorkerLike {
@@ -67,7 +68,9 @@ export class WorkerLink {
       const waiting = this.pending.get(data.requestId);
       if (!waiting) return;
       this.pending.delete(data.requestId);
-      if (data.kind === 'failed') waiting.reject(new PlateauError(data.failure));
+      // A watch that goes on would keep a program alive that has nothing more to do.
+      if (this.pending.size === 0) this.stopWatch();
+      if (data.kind === 'failed') waiting.reject(PlateauError.of(data.failure));
       else waiting.resolve(data);
     };
     worker.onerror = (event) => {
@@ -82,8 +85,7 @@ export class WorkerLink {
     if (this.watch !== undefined) return;
     this.silentLooks = 0;
     this.watch = setInterval(() => {
-      if (this.pending.size === 0) this.stopWatch();
-      else if (++this.silentLooks >= SILENT_LOOKS) this.die('it no longer answers');
+      if (++this.silentLooks >= SILENT_LOOKS) this.die('it no longer answers');
     }, LOOK_EVERY_MS);
   }
 
@@ -93,10 +95,10 @@ export class WorkerLink {
   }
 
   private die(reason: string): void {
-    const error = new PlateauError({
-      code: WORKER_FAILED,
-      message: `The computation stopped unexpectedly (${reason}). What is shown stays; open the points again to go on.`,
-    });
+    const error = new PlateauError(
+      WORKER_FAILED,
+      `The computation stopped unexpectedly (${reason}). What is shown stays; open the points again to go on.`,
+    );
     this.end(error);
     this.onDeath(error);
   }

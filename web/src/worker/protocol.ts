@@ -71,6 +71,12 @@ export interface Failure {
 
 export type ExportFormat = 'betti-csv' | 'plateaus-json' | 'mesh-ply';
 
+/** For the worker of the package, before anything else: the program that it runs, compiled once for all workers. */
+export interface LoadModule {
+  readonly kind: 'loadModule';
+  readonly compiled: WebAssembly.Module;
+}
+
 export type WorkerRequest =
   /** Reads the source, starts the run, and computes on until `pause`, `close` or the end. */
   | {
