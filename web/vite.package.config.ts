@@ -21,11 +21,22 @@ const moduleIsHandedOver: Plugin = {
       : undefined,
 };
 
+/** Not this build, but one that takes the package in shall find the module by its address and bring it along. */
+const addressForBundlers: Plugin = {
+  name: 'address-for-bundlers',
+  generateBundle: (_, bundle) => {
+    for (const file of Object.values(bundle)) {
+      if (file.type !== 'chunk') continue;
+      file.code = file.code.replace(/\/\* @vite-ignore \*\/\s*(?=["'`]\.\/plateau\.wasm)/g, '');
+    }
+  },
+};
+
 /** One file of the package: vite build --config web/vite.package.config.ts --mode NAME. */
 export default defineConfig(({ mode }) => ({
   root,
   publicDir: false,
-  plugins: [moduleIsHandedOver],
+  plugins: [moduleIsHandedOver, addressForBundlers],
   resolve: { alias: [{ find: /^plateau-module$/, replacement: `${root}../build/wasm/bin/plateau.mjs` }] },
   worker: { format: 'es', plugins: () => [moduleIsHandedOver] },
   build: {
@@ -35,7 +46,7 @@ export default defineConfig(({ mode }) => ({
     minify: mode !== 'node',
     assetsInlineLimit: 0,
     lib: { entry: { [mode]: entries[mode] ?? '' }, formats: ['es'] },
-    rollupOptions: { external: [/^node:/, './plateau-view.js'] },
+    rolldownOptions: { external: [/^node:/], output: { minify: mode !== 'node' } },
     chunkSizeWarningLimit: 900,
   },
 }));

@@ -124,6 +124,24 @@ describe('the client', () => {
     await expect(again).resolves.toHaveProperty('opened', OPENED);
   });
 
+  test('a run ends with its worker: what it is asked later fails for the same reason', async () => {
+    const opening = client.open(source, {});
+    worker().open();
+    const run = await opening;
+    worker().die('memory access out of bounds');
+    await expect(run.fetchDelta()).rejects.toBe(deaths[0]);
+    await expect(run.close()).rejects.toBe(deaths[0]);
+    expect(workers).toHaveLength(1);
+  });
+
+  test('keeps no timer when nothing is awaited', async () => {
+    const opening = client.open(source, {});
+    expect(vi.getTimerCount()).toBe(1);
+    worker().open();
+    await opening;
+    expect(vi.getTimerCount()).toBe(0);
+  });
+
   test('does not wait for ever for a worker that fell silent', async () => {
     const opening = client.open(source, {});
     const settled = expect(opening).rejects.toMatchObject({ code: WORKER_FAILED });

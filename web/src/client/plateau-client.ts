@@ -8,7 +8,7 @@ import type {
   WorkerEvent,
 } from '../worker/protocol.ts';
 import { PlateauError, WORKER_FAILED } from './plateau-error.ts';
-import { WorkerLink, type WorkerLike } from './worker-link.ts';
+import { WorkerLink, type OutgoingRequest, type WorkerLike } from './worker-link.ts';
 
 function outOfTurn(event: WorkerEvent): PlateauError {
   return new PlateauError(WORKER_FAILED, `The computation answered out of turn (${event.kind}).`);
@@ -16,20 +16,24 @@ function outOfTurn(event: WorkerEvent): PlateauError {
 
 /** A run in the worker. Close it when it is no longer shown; its memory is freed there. */
 export class RemoteRun {
+  private readonly life: number;
+
   constructor(
     private readonly link: WorkerLink,
     private readonly runId: number,
     readonly opened: Opened,
-  ) {}
+  ) {
+    this.life = link.life;
+  }
 
   async fetchDelta(): Promise<Delta> {
-    const event = await this.link.send({ kind: 'fetchDelta', runId: this.runId });
+    const event = await this.send({ kind: 'fetchDelta', runId: this.runId });
     if (event.kind !== 'delta') throw outOfTurn(event);
     return event.delta;
   }
 
   async fetchPlateaus(): Promise<Plateaus> {
-    const event = await this.link.send({ kind: 'fetchPlateaus', runId: this.runId });
+    const event = await this.send({ kind: 'fetchPlateaus', runId: this.runId });
     if (event.kind !== 'plateaus') throw outOfTurn(event);
     return event.plateaus;
   }
@@ -37,26 +41,31 @@ export class RemoteRun {
   /** The bytes of a file in the command's format; `step` is for the mesh. */
   async exportFile(format: ExportFormat, step?: number): Promise<Uint8Array> {
     const at = step === undefined ? {} : { step };
-    const event = await this.link.send({ kind: 'export', runId: this.runId, format, ...at });
+    const event = await this.send({ kind: 'export', runId: this.runId, format, ...at });
     if (event.kind !== 'exported') throw outOfTurn(event);
     return event.bytes;
   }
 
   async pause(): Promise<void> {
-    await this.link.send({ kind: 'pause', runId: this.runId });
+    await this.send({ kind: 'pause', runId: this.runId });
   }
 
   async resume(): Promise<void> {
-    await this.link.send({ kind: 'resume', runId: this.runId });
+    await this.send({ kind: 'resume', runId: this.runId });
   }
 
   /** Lifts the stop at the noise: the run goes on to its end, whether it has ended there or not. */
   async runPastNoise(): Promise<void> {
-    await this.link.send({ kind: 'runPastNoise', runId: this.runId });
+    await this.send({ kind: 'runPastNoise', runId: this.runId });
   }
 
   async close(): Promise<void> {
-    await this.link.send({ kind: 'close', runId: this.runId });
+    await this.send({ kind: 'close', runId: this.runId });
+  }
+
+  /** A run ends with its worker: another one would not know it. */
+  private send(request: OutgoingRequest): Promise<WorkerEvent> {
+    return this.link.sendWithin(this.life, request);
   }
 }
 

@@ -31,6 +31,8 @@ export class WorkerLink {
   private readonly pending = new Map<number, Pending>();
   private nextRequestId = 1;
   private silentLooks = 0;
+  private lives = 0;
+  private death: PlateauError | undefined;
   private watch: ReturnType<typeof setInterval> | undefined;
 
   /** `onDeath` is told why a worker died, also when nobody was waiting. All its runs are gone then. */
@@ -53,6 +55,16 @@ export class WorkerLink {
         reject(error instanceof Error ? error : new Error(String(error)));
       }
     });
+  }
+
+  /** How many workers there were before: what began in one of them ended with it. */
+  get life(): number {
+    return this.lives;
+  }
+
+  /** As `send`, for what only the worker of that life can answer; fails with the reason of its death. */
+  sendWithin(life: number, request: OutgoingRequest): Promise<WorkerEvent> {
+    return this.death && life < this.lives ? Promise.reject(this.death) : this.send(request);
   }
 
   /** Ends the worker; what is pending fails. The next request starts a fresh one. */
@@ -105,6 +117,8 @@ export class WorkerLink {
 
   private end(error: PlateauError): void {
     this.stopWatch();
+    this.lives += 1;
+    this.death = error;
     this.worker?.terminate();
     this.worker = undefined;
     const waiting = [...this.pending.values()];

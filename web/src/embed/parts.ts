@@ -48,7 +48,7 @@ export function createParts() {
   const spoken = make('p', { class: 'for-readers', 'aria-live': 'polite' });
   const transport = make(
     'div',
-    { class: 'transport' },
+    { class: 'transport', inert: '' },
     back.button,
     play.button,
     forward.button,
@@ -72,7 +72,12 @@ export function createParts() {
     'aria-label': 'Betti numbers over 1/ε, with the plateaus as bands. The slider Step moves along it.',
   });
   const timeline = make('div', { class: 'timeline' }, slider, diagram);
-  const film = make('section', { class: 'film', 'aria-label': 'Film over scale' }, legend(), timeline);
+  const film = make(
+    'section',
+    { class: 'film', inert: '', 'aria-label': 'Film over scale' },
+    legend(),
+    timeline,
+  );
 
   const cards = make('ol', { class: 'cards' });
   const noCards = make('p', { class: 'honest' });
@@ -105,6 +110,7 @@ export function createParts() {
     readout,
     status,
     spoken,
+    bar: transport,
     transport: { play: play.button, label: play.label, back: back.button, forward: forward.button, slider },
     timeline,
     diagram,

@@ -166,6 +166,7 @@ export class Viewer {
     this.status.show(feed.record, undefined, false);
     showLegend(feed.record.bettiCount, this.parts.film);
     this.parts.empty.hidden = true;
+    this.parts.bar.inert = this.parts.film.inert = false;
     this.showState();
     if (!this.inView) feed.pause();
     feed.start();

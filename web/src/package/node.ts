@@ -8,7 +8,11 @@ import { SharedClient } from './shared-client.ts';
 export * from './types.ts';
 
 const shared = new SharedClient(
-  () => new InProcessWorker(readFileSync(new URL(/* @vite-ignore */ './plateau.wasm', import.meta.url)), setImmediate),
+  () =>
+    new InProcessWorker(
+      readFileSync(new URL(/* @vite-ignore */ './plateau.wasm', import.meta.url)),
+      setImmediate,
+    ),
 );
 
 /**

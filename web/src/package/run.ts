@@ -172,11 +172,9 @@ export class Run implements AsyncIterable<Step> {
     if (this.closed) return;
     this.closed = true;
     this.paused?.end();
-    try {
-      await this.remote.close();
-    } finally {
-      this.onClose();
-    }
+    // A dead worker has nothing to free.
+    await this.remote.close().catch(() => undefined);
+    this.onClose();
   }
 
   private at(step: number): Step {

@@ -186,7 +186,11 @@ export class ShapeView {
     this.loaded = left < BYTES_A_PICTURE;
     this.behind = left <= 0;
     this.showBusy();
-    if (this.loaded) this.requestRender();
+    if (!this.loaded) return;
+    // What is new lives at the step that is shown, too: a playhead that stands still asks for nothing.
+    const { uStep, uRecent } = this.materials.shared;
+    this.showStep(uStep.value, uRecent.value);
+    this.requestRender();
   }
 
   private showBusy(): void {
@@ -372,6 +376,7 @@ export class ShapeView {
     this.witnesses?.geometry.dispose();
     for (const texture of this.textures) texture.dispose();
     this.textures = [];
+    this.materials.shared.uStep.value = 0;
     this.scene.clear();
     this.layers = undefined;
     this.witnesses = undefined;
