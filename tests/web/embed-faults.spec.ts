@@ -100,6 +100,22 @@ test('a module that cannot be fetched is said; the next opening begins anew', as
   await expect(alertOf(page, 'a')).toBeHidden();
 });
 
+test('a policy that does not allow what is needed is named in a sentence', async ({ page }) => {
+  const body = '<plateau-view id="a" shape="torus" size="90" panels="diagram"></plateau-view>';
+  for (const [directive, sentence] of [
+    ['worker-src', 'policy of this page does not allow it'],
+    ['connect-src', 'plateau.wasm cannot be read; its server, or the content-security policy of this page'],
+  ] as const) {
+    foreign.without = [directive];
+    try {
+      await page.goto(foreign.page(`/without-${directive}`, body));
+      await expect(alertOf(page, 'a')).toContainText(sentence);
+    } finally {
+      foreign.without = [];
+    }
+  }
+});
+
 test('a worker that dies takes nothing from the screen, and only those who wait for it are told', async ({
   page,
 }) => {
@@ -147,7 +163,7 @@ test('without WebGL the diagram and the plateaus work', async ({ page }) => {
   expect(await codes(events)).toEqual(['no-graphics']);
 });
 
-test('a browser that is too old is told so in a sentence', async ({ page }) => {
+test('a browser that is too old is told so in a sentence', async ({ page, baseURL }) => {
   const events = await rememberEvents(page);
   const old: readonly [string, () => void][] = [
     ['exceptions in WebAssembly', () => (WebAssembly.validate = () => false)],
@@ -166,6 +182,14 @@ test('a browser that is too old is told so in a sentence', async ({ page }) => {
     expect(await codes(told)).toEqual(['unsupported-browser']);
     await context?.close();
   }
+  // The page of Plateau itself says it, too.
+  const context = await page.context().browser()?.newContext();
+  const ownPage = await context?.newPage();
+  await ownPage?.addInitScript(() => (WebAssembly.validate = () => false));
+  await ownPage?.goto(`${baseURL ?? ''}/?sample=torus`);
+  await expect(ownPage?.getByRole('alert') ?? page.locator('never')).toContainText('This browser lacks');
+  await context?.close();
+
   await page.goto(
     foreign.page('/new', '<plateau-view id="a" shape="torus" size="60" panels="diagram"></plateau-view>'),
   );

@@ -1,3 +1,5 @@
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import type { Locator, Page } from '@playwright/test';
 import { expect, state, test, torusText } from './page.ts';
 import { ForeignServer, rememberEvents } from './foreign-page.ts';
@@ -378,6 +380,40 @@ test('panels and themes', async ({ page }) => {
   await page.locator('#b .card').nth(1).click();
   const cards = await own<{ middleStep: number }[]>(page, 'b', 'plateaus');
   expect(await own(page, 'b', 'currentStep')).toBe(cards[1]?.middleStep);
+});
+
+test('axe finds nothing, in any panels and themes', async ({ page }) => {
+  const all = (['shape', 'diagram', 'both', 'full'] as const).flatMap((panels) =>
+    (['light', 'dark'] as const).map(
+      (theme) =>
+        `<h2>${panels}, ${theme}</h2>
+         <plateau-view id="${panels}-${theme}" shape="torus" size="120" panels="${panels}" theme="${theme}"></plateau-view>`,
+    ),
+  );
+  await page.setViewportSize({ width: 420, height: 900 });
+  await page.goto(
+    foreign.page(
+      '/axe',
+      `<main><h1>Plateau</h1>${all.join('')}<plateau-view id="none"></plateau-view></main>`,
+    ),
+  );
+  for (const panels of ['shape', 'diagram', 'both', 'full'])
+    for (const theme of ['light', 'dark']) {
+      await page.locator(`#${panels}-${theme}`).scrollIntoViewIfNeeded();
+      await finished(page, `${panels}-${theme}`);
+    }
+  await page.locator('#full-light').evaluate((element) => element.setAttribute('plateau', '99'));
+  await expect(page.locator('#full-light').getByRole('alert')).toBeVisible();
+  // Through the debugger: the policy of the page allows no script of others.
+  await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
+  const found = await page.evaluate(async () => {
+    const { axe } = window as unknown as {
+      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
+    };
+    const { violations } = await axe.run();
+    return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
+  });
+  expect(found).toEqual([]);
 });
 
 test('the files of the element are open to all origins, those of the page are not', async ({

@@ -7,6 +7,9 @@ export class ForeignServer {
   private readonly bodies = new Map<string, string>();
   private readonly server: Server;
 
+  /** Directives that are left out, to see what happens then. */
+  without: readonly string[] = [];
+
   private constructor(private readonly plateau: string) {
     this.server = createServer((request, response) => {
       const body = this.bodies.get(request.url?.replace(/[?#].*$/, '') ?? '');
@@ -38,7 +41,9 @@ export class ForeignServer {
       'worker-src blob:',
       `connect-src 'self' ${this.plateau}`,
       `frame-src ${this.plateau}`,
-    ].join('; ');
+    ]
+      .filter((directive) => !this.without.some((name) => directive.startsWith(name)))
+      .join('; ');
   }
 
   get origin(): string {

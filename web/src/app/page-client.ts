@@ -1,8 +1,13 @@
 import { PlateauClient } from '../client/plateau-client.ts';
 import type { PlateauError } from '../client/plateau-error.ts';
+import { demandBrowser } from '../package/browser-floor.ts';
 
-/** Runs in a worker of the page's own origin. */
+/** A worker of the page's own origin; where the browser is too old for it, a sentence. */
+function startWorker(): Worker {
+  demandBrowser('core');
+  return new Worker(new URL('../worker/main.ts', import.meta.url), { type: 'module' });
+}
+
 export function pageClient(onDeath: (error: PlateauError) => void): PlateauClient {
-  const spawn = (): Worker => new Worker(new URL('../worker/main.ts', import.meta.url), { type: 'module' });
-  return new PlateauClient({ spawn, onDeath });
+  return new PlateauClient({ spawn: startWorker, onDeath });
 }

@@ -71,7 +71,11 @@ export class PlateauError extends Error {
     this.name = 'PlateauError';
   }
 
-  /** What the core or the client has refused. */
+  /**
+   * What the core or the client has refused.
+   *
+   * @internal
+   */
   static of(failure: Failure): PlateauError {
     return new PlateauError(codeOf(failure), failure.message);
   }

@@ -87,7 +87,9 @@ export class WorkerLink {
     };
     worker.onerror = (event) => {
       event.preventDefault();
-      this.die(event.message || 'its program could not be loaded');
+      this.die(
+        event.message || 'its program could not be loaded, or the policy of this page does not allow it',
+      );
     };
     worker.onmessageerror = () => this.die('a message could not be read');
     return worker;

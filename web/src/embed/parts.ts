@@ -33,7 +33,7 @@ export function createParts() {
   });
   const noShape = make('p', { class: 'note', hidden: '' });
   const empty = make('p', { class: 'note', hidden: '' });
-  const stage = make('section', { class: 'stage', 'aria-label': 'Shape' }, shape, noShape, empty);
+  const stage = make('div', { class: 'stage' }, shape, noShape, empty);
 
   const back = iconButton('icon', 'Back', 'Back one landmark', { 'M12.5 3v10L6 8zM3.5 3h2v10h-2z': 'solid' });
   const play = iconButton('primary', 'Play', 'Play or pause', {
@@ -73,8 +73,8 @@ export function createParts() {
   });
   const timeline = make('div', { class: 'timeline' }, slider, diagram);
   const film = make(
-    'section',
-    { class: 'film', inert: '', 'aria-label': 'Film over scale' },
+    'div',
+    { class: 'film', role: 'group', inert: '', 'aria-label': 'Film over scale' },
     legend(),
     timeline,
   );
@@ -82,9 +82,9 @@ export function createParts() {
   const cards = make('ol', { class: 'cards' });
   const noCards = make('p', { class: 'honest' });
   const side = make(
-    'aside',
-    { class: 'side', 'aria-label': 'Plateaus' },
-    make('h2', {}, 'What it sees'),
+    'div',
+    { class: 'side', role: 'group', 'aria-label': 'Plateaus' },
+    make('p', { class: 'title' }, 'What it sees'),
     cards,
     noCards,
     credit(),

@@ -42,10 +42,7 @@ function reading(points: File | Float64Array, { dimension = 3, columns }: LoadOp
  * It computes only while it is in view, and all elements of a page share one worker. Its attributes can be set as
  * properties too; what they ask for comes into force a moment later, all changes at once.
  *
- * @fires ready - {@link ReadyDetail}
- * @fires step - {@link StepDetail}
- * @fires plateau - {@link PlateauDetail}
- * @fires error - {@link ErrorDetail}
+ * Its events are those of {@link PlateauViewEventMap}: `ready`, `step`, `plateau` and `error`.
  */
 export class PlateauViewElement extends ReflectingElement {
   /** @internal */

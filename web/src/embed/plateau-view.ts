@@ -1,3 +1,8 @@
+/**
+ * The custom element `<plateau-view>`; importing this defines it.
+ *
+ * @module plateau/element
+ */
 import { PlateauViewElement } from './plateau-view-element.ts';
 
 export { PlateauError, type ErrorCode } from '../client/plateau-error.ts';

@@ -82,8 +82,8 @@ class Reader {
   list(name: AttributeName, least: number): readonly number[] | undefined {
     const text = this.text(name);
     if (text === undefined) return undefined;
-    const values = text.split(/[\s,;]+/).map(Number);
-    if (values.every((value) => Number.isInteger(value) && value >= least)) return values;
+    const entries = text.split(/[\s,;]+/);
+    if (entries.every((entry) => /^\d+$/.test(entry) && Number(entry) >= least)) return entries.map(Number);
     return this.complain(name, text, `whole numbers from ${least} on, separated by commas`);
   }
 

@@ -1,3 +1,8 @@
+/**
+ * The core: opens point clouds and follows their shapes, in Node.js and in browsers.
+ *
+ * @module plateau
+ */
 import { demandBrowser } from './browser-floor.ts';
 import type { Cloud } from './cloud.ts';
 import { openWith, type OpenOptions } from './open-cloud.ts';
