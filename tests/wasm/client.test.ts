@@ -129,8 +129,10 @@ describe('the client', () => {
     worker().open();
     const run = await opening;
     worker().die('memory access out of bounds');
-    await expect(run.fetchDelta()).rejects.toBe(deaths[0]);
-    await expect(run.close()).rejects.toBe(deaths[0]);
+    for (const asked of [run.fetchDelta(), run.close()]) {
+      await expect(asked).rejects.toMatchObject({ code: WORKER_FAILED, cause: deaths[0] });
+      await expect(asked).rejects.toThrow(/not open any more.*memory access out of bounds/s);
+    }
     expect(workers).toHaveLength(1);
   });
 

@@ -66,8 +66,9 @@ export class PlateauError extends Error {
   constructor(
     readonly code: ErrorCode,
     message: string,
+    options?: ErrorOptions,
   ) {
-    super(message);
+    super(message, options);
     this.name = 'PlateauError';
   }
 

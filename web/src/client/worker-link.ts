@@ -62,9 +62,13 @@ export class WorkerLink {
     return this.lives;
   }
 
-  /** As `send`, for what only the worker of that life can answer; fails with the reason of its death. */
-  sendWithin(life: number, request: OutgoingRequest): Promise<WorkerEvent> {
-    return this.death && life < this.lives ? Promise.reject(this.death) : this.send(request);
+  /** As `send`, for what only the worker of that life can answer; a later one does not know it. */
+  async sendWithin(life: number, request: OutgoingRequest): Promise<WorkerEvent> {
+    const { death } = this;
+    if (!death || life === this.lives) return this.send(request);
+    throw new PlateauError(WORKER_FAILED, `This run is not open any more. ${death.message}`, {
+      cause: death,
+    });
   }
 
   /** Ends the worker; what is pending fails. The next request starts a fresh one. */

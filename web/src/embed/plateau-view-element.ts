@@ -324,7 +324,8 @@ export class PlateauViewElement extends ReflectingElement {
 
   /** Shows the sentence and tells of it; the death of a worker is heard of twice. */
   private fail(error: unknown): void {
-    if (error === this.told) return;
+    const { cause } = error instanceof Error ? error : {};
+    if (error === this.told || (cause !== undefined && cause === this.told)) return;
     this.told = error;
     if (this.parts) {
       this.parts.said.textContent = error instanceof Error ? error.message : String(error);
