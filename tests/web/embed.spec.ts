@@ -373,6 +373,9 @@ test('panels and themes', async ({ page }) => {
     page.locator(`#${id}`).evaluate((element) => getComputedStyle(element).backgroundColor);
   expect(await background('a')).toBe('rgb(22, 29, 38)');
   expect(await background('b')).toBe('rgb(255, 255, 255)');
+  await page.locator('#b').evaluate((element) => element.removeAttribute('theme'));
+  await page.emulateMedia({ colorScheme: 'dark' });
+  expect(await background('b')).toBe('rgb(22, 29, 38)');
   await page.locator('#a').evaluate((element) => element.setAttribute('panels', 'diagram'));
   await expect(page.locator('#a .film')).toBeVisible();
   expect(await shown('a')).toEqual([false, true, true, false]);

@@ -2,6 +2,7 @@ import cards from '../app/cards.css?inline';
 import controls from '../app/controls.css?inline';
 import palette from '../app/theme.css?raw';
 import diagram from '../view/diagram.css?inline';
+import sizes from './plateau-view-sizes.css?inline';
 import element from './plateau-view.css?inline';
 import { hostTheme } from './host-theme.ts';
 
@@ -11,7 +12,7 @@ let sheet: CSSStyleSheet | undefined;
 export function elementStyle(): CSSStyleSheet {
   if (!sheet) {
     sheet = new CSSStyleSheet();
-    sheet.replaceSync([hostTheme(palette), controls, diagram, cards, element].join('\n'));
+    sheet.replaceSync([hostTheme(palette), controls, diagram, cards, element, sizes].join('\n'));
   }
   return sheet;
 }
