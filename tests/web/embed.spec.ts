@@ -210,6 +210,7 @@ test('properties that were set before the element is defined count', async ({ pa
 });
 
 test('a moved element keeps its run; the worker ends with the last that is removed', async ({ page }) => {
+  const program = await watchProgram(page);
   const events = await rememberEvents(page);
   await page.goto(
     foreign.page(
@@ -237,6 +238,9 @@ test('a moved element keeps its run; the worker ends with the last that is remov
   await page.evaluate(() => document.body.append((window as unknown as { kept: Element }).kept));
   await finished(page, 'a');
   await expect(view(page, 'a')).toHaveAttribute('data-step', /^(?!17$)/);
+  // Another worker, but not another module.
+  expect(program.modules).toHaveLength(1);
+  expect(await program.compiled()).toBe(1);
 });
 
 test('points and files are loaded by a call; a bad file changes nothing', async ({ page }) => {
@@ -351,6 +355,26 @@ test('a step that is shown from the beginning is drawn in full', async ({ page }
     target.goTo(30);
   });
   expect((await still()).equals(before)).toBe(true);
+});
+
+test('on a narrow page the playhead is in sight where it comes to rest', async ({ page }) => {
+  await page.setViewportSize({ width: 340, height: 700 });
+  await page.goto(
+    foreign.page('/narrow', '<plateau-view id="a" shape="helix" size="600" panels="diagram"></plateau-view>'),
+  );
+  await finished(page, 'a');
+  const [longest] = await own<{ middleStep: number }[]>(page, 'a', 'plateaus');
+  await expect(view(page, 'a')).toHaveAttribute('data-step', String(longest?.middleStep));
+  const timeline = page.locator('#a .timeline');
+  expect(
+    await timeline.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth),
+  ).toBeGreaterThan(100);
+  await expect
+    .poll(async () => {
+      const [box, at] = [await timeline.boundingBox(), await page.locator('#a .playhead').boundingBox()];
+      return box !== null && at !== null && box.x < at.x && at.x < box.x + box.width;
+    })
+    .toBe(true);
 });
 
 test('panels and themes', async ({ page }) => {
