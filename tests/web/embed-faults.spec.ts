@@ -83,6 +83,18 @@ test('what cannot be opened is said, and what is shown stays', async ({ page }) 
   expect((await codes(events)).at(-1)).toBe('no-such-plateau');
 });
 
+test('while another opening fails the run that is shown waits; then it goes on', async ({ page }) => {
+  await page.goto(
+    foreign.page('/on', '<plateau-view id="a" shape="torus" size="40000" panels="diagram"></plateau-view>'),
+  );
+  await expect(view(page, 'a')).toHaveAttribute('data-run-state', 'running');
+  await page.locator('#a').evaluate((element) => element.setAttribute('src', 'gone.xyz'));
+  await expect(alertOf(page, 'a')).toContainText('it answers 404');
+  const count = async (): Promise<number> => Number(await view(page, 'a').getAttribute('data-steps'));
+  const before = await count();
+  await expect.poll(count).toBeGreaterThan(before + 50);
+});
+
 test('a module that cannot be fetched is said; the next opening begins anew', async ({ page }) => {
   const events = await rememberEvents(page);
   await page.route('**/plateau.wasm', (route) => route.abort());
@@ -124,17 +136,22 @@ test('a worker that dies takes nothing from the screen, and only those who wait 
     foreign.page(
       '/death',
       `<plateau-view id="a" shape="torus" size="150" panels="diagram"></plateau-view>
-       <plateau-view id="b" shape="torus" size="40000" panels="diagram"></plateau-view>`,
+       <plateau-view id="b" shape="torus" size="40000" panels="diagram"></plateau-view>${'<br>'.repeat(80)}`,
     ),
   );
   await expect(view(page, 'a')).toHaveAttribute('data-run-state', 'finished');
   await expect(view(page, 'b')).toHaveAttribute('data-run-state', 'running');
+  // While nobody waits for it.
+  await page.evaluate(() => scrollTo(0, 1e6));
+  await expect(page.locator('#b')).not.toBeInViewport();
   await page.workers()[0]?.evaluate(() =>
     setTimeout(() => {
       throw new Error('out of bounds');
     }),
   );
   await expect(alertOf(page, 'b')).toContainText('out of bounds');
+  await page.locator('#b').scrollIntoViewIfNeeded();
+  await expect(view(page, 'b')).toHaveAttribute('data-run-state', 'stopped');
   await expect(alertOf(page, 'a')).toBeHidden();
   const failed = (await events()).filter(({ type }) => type === 'error');
   expect(failed).toMatchObject([{ id: 'b', detail: { code: 'worker-failed' } }]);
