@@ -372,37 +372,36 @@ test('by keyboard: the slider steps, the shape turns, and the page keeps its key
 });
 
 test('a step that is shown from the beginning is drawn in full', async ({ page }) => {
-  // A slow card: more is computed than the pictures carry.
+  // A slow card: while the shape grows, more is computed than a picture carries.
   await page.addInitScript(() => {
     const soon = requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (draw) => soon(() => setTimeout(() => soon(draw), 700));
+    const card = { slow: true };
+    Object.assign(window, { card });
+    window.requestAnimationFrame = (draw) =>
+      soon((now) => (card.slow ? void setTimeout(() => soon(draw), 2_000) : draw(now)));
   });
   await page.goto(
     foreign.page(
       '/step',
-      '<plateau-view id="a" shape="double-torus" size="6000" panels="shape" step="150"></plateau-view>',
+      '<plateau-view id="a" shape="helix" size="1000" panels="shape" step="30"></plateau-view>',
     ),
   );
   await finished(page, 'a');
+  await page.evaluate(() => Object.assign((window as unknown as { card: object }).card, { slow: false }));
   const shape = page.locator('#a .shape');
-  const still = async (): Promise<Buffer> => {
-    let last = await shape.screenshot();
-    await expect
-      .poll(async () => {
-        const before = last;
-        last = await shape.screenshot();
-        return last.equals(before) && (await shape.getAttribute('aria-busy')) === 'false';
-      })
-      .toBe(true);
-    return last;
-  };
-  const before = await still();
-  await page.locator('#a').evaluate((element) => {
-    const target = element as unknown as { goTo(step: number): void };
-    target.goTo(151);
-    target.goTo(150);
+  const goTo = (step: number): Promise<void> =>
+    page.locator('#a').evaluate((element, to) => {
+      (element as unknown as { goTo(step: number): void }).goTo(to);
+    }, step);
+  await expect(shape).toHaveAttribute('aria-busy', 'false');
+  await page.evaluate(async () => {
+    for (let i = 0; i < 3; ++i) await new Promise((done) => requestAnimationFrame(done));
   });
-  expect((await still()).equals(before)).toBe(true);
+  const before = await shape.screenshot();
+  await goTo(200);
+  await expect.poll(async () => (await shape.screenshot()).equals(before)).toBe(false);
+  await goTo(30);
+  await expect.poll(async () => (await shape.screenshot()).equals(before)).toBe(true);
 });
 
 test('on a narrow page the playhead is in sight where it comes to rest', async ({ page }) => {
