@@ -2,7 +2,10 @@
 import tseslint from 'typescript-eslint';
 
 const typed = ['web/**/*.ts', 'tests/**/*.ts'];
-const runtime = ['process', 'console', 'URL', 'fetch', 'setTimeout', 'clearTimeout', 'Buffer', 'performance'];
+const runtime = [
+  ...['process', 'console', 'URL', 'fetch', 'setTimeout', 'clearTimeout', 'Buffer', 'performance'],
+  ...['AbortSignal', 'TextDecoder', 'TextEncoder'],
+];
 
 export default tseslint.config(
   { ignores: ['build/', 'node_modules/', 'web/dist/', 'test-results/', 'playwright-report/'] },

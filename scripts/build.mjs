@@ -1,4 +1,4 @@
-// Builds the command, the module and the page: node scripts/build.mjs [native] [wasm] [web]
+// Builds the command, the module, the package and the page: node scripts/build.mjs [native] [wasm] [package] [web]
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism, totalmem } from 'node:os';
@@ -6,6 +6,7 @@ import { dirname, join } from 'node:path';
 import { Failure, isScript, main, root, run } from './lib/run.mjs';
 import { writeLicencesAndSource } from './lib/licences.mjs';
 import { writeServiceWorker } from './lib/offline.mjs';
+import { addElement, makePackage } from './lib/package.mjs';
 import { setup } from './setup.mjs';
 
 /** Compile jobs: one translation unit with CGAL takes well over a gigabyte. */
@@ -57,8 +58,17 @@ export async function buildWasm({ checks = false } = {}) {
   writeStamp('wasm');
 }
 
+/** The core for Node.js and browsers and the element, ready for npm pack. */
+export async function buildPackage() {
+  await makePackage();
+  writeStamp('package');
+}
+
 export async function buildWeb() {
+  // The page brings the element along, for other pages.
+  if (!isCurrent('package')) await buildPackage();
   await run('vite', ['build', 'web']);
+  addElement(join(root, 'web', 'dist', 'embed'));
   await writeLicencesAndSource(join(root, 'web', 'dist'));
   writeServiceWorker(join(root, 'web', 'dist'));
   writeStamp('web');
@@ -67,6 +77,10 @@ export async function buildWeb() {
 /** What each artifact is made of; a change to any of it makes the artifact old. */
 const ingredients = {
   wasm: { inputs: ['CMakeLists.txt', 'core', 'wasm'], output: 'build/wasm/bin' },
+  package: {
+    inputs: ['web', 'build/wasm/bin', 'package.json', 'package-lock.json', 'docs/package.md', 'LICENSE'],
+    output: 'build/package/package.json',
+  },
   web: { inputs: ['web', 'build/wasm/bin', 'package-lock.json'], output: 'web/dist/index.html' },
 };
 const stampFile = (kind) => join(root, 'build', `${kind}.stamp`);
@@ -108,15 +122,17 @@ export function isCurrent(kind) {
 }
 
 if (isScript(import.meta.url)) {
-  const builders = { native: buildNative, wasm: buildWasm, web: buildWeb };
+  const builders = { native: buildNative, wasm: buildWasm, package: buildPackage, web: buildWeb };
   await main(async () => {
     const kinds = process.argv.slice(2);
     const unknown = kinds.filter((kind) => !(kind in builders));
     if (unknown.length > 0)
       throw new Failure(`Unknown: ${unknown.join(', ')}. Known: ${Object.keys(builders).join(', ')}.`);
-    await setup(kinds.includes('web') ? [...new Set([...kinds, 'wasm'])] : kinds);
-    // The page contains the module.
-    if (kinds.includes('web') && !kinds.includes('wasm') && !isCurrent('wasm')) kinds.unshift('wasm');
+    const holdsModule = kinds.includes('web') || kinds.includes('package');
+    const needed = kinds.map((kind) => (kind === 'package' ? 'web' : kind));
+    await setup([...new Set(holdsModule ? [...needed, 'wasm'] : needed)]);
+    // The page and the package contain the module.
+    if (holdsModule && !kinds.includes('wasm') && !isCurrent('wasm')) kinds.unshift('wasm');
     for (const kind of kinds) await builders[kind]();
   });
 }

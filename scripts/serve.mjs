@@ -3,7 +3,7 @@
 import { createReadStream } from 'node:fs';
 import { readFile, realpath, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
-import { extname, join, resolve, sep } from 'node:path';
+import { extname, join, relative, resolve, sep } from 'node:path';
 import { pipeline } from 'node:stream/promises';
 import { promisify } from 'node:util';
 import { gzip } from 'node:zlib';
@@ -45,11 +45,26 @@ export const contentSecurityPolicy = [
   "frame-ancestors 'self'",
 ].join('; ');
 
+/** What the page for iframes may do: its worker starts from a blob, and every page may show it. */
+const framePolicy = contentSecurityPolicy
+  .replace("worker-src 'self'", 'worker-src blob:')
+  .replace("frame-ancestors 'self'", 'frame-ancestors *');
+
 const headers = {
   'Content-Security-Policy': contentSecurityPolicy,
   'X-Content-Type-Options': 'nosniff',
   'Referrer-Policy': 'no-referrer',
 };
+
+/** Where the element lies that pages of other origins take. */
+const shared = {
+  ...headers,
+  'Content-Security-Policy': framePolicy,
+  'Access-Control-Allow-Origin': '*',
+  'Cross-Origin-Resource-Policy': 'cross-origin',
+};
+
+const headersFor = (folder, file) => (relative(folder, file).startsWith(`embed${sep}`) ? shared : headers);
 
 /** The file that the address names, or undefined: nothing outside the folder, also not through a link. */
 async function fileFor(folder, url) {
@@ -66,7 +81,7 @@ async function fileFor(folder, url) {
     if (file !== base && !file.startsWith(base + sep)) return undefined;
     if ((await stat(file)).isDirectory()) file = await realpath(join(file, 'index.html'));
     const info = await stat(file);
-    return info.isFile() && file.startsWith(base + sep) ? { file, info } : undefined;
+    return info.isFile() && file.startsWith(base + sep) ? { base, file, info } : undefined;
   } catch {
     return undefined;
   }
@@ -102,11 +117,16 @@ async function answer(folder, request, response) {
     response.writeHead(404, { ...headers, 'Content-Type': 'text/plain; charset=utf-8' }).end('not found\n');
     return;
   }
-  const { file, info } = found;
+  const { base, file, info } = found;
   const extension = extname(file).toLowerCase();
   const zip = compressible.has(extension) && takesGzip(request);
   const etag = `"${info.size.toString(16)}-${Math.round(info.mtimeMs).toString(16)}${zip ? '-gz' : ''}"`;
-  const about = { ...headers, ETag: etag, 'Cache-Control': 'no-cache', Vary: 'Accept-Encoding' };
+  const about = {
+    ...headersFor(base, file),
+    ETag: etag,
+    'Cache-Control': 'no-cache',
+    Vary: 'Accept-Encoding',
+  };
   if (request.headers['if-none-match'] === etag) {
     response.writeHead(304, about).end();
     return;

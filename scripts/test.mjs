@@ -4,7 +4,15 @@
 import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
-import { buildNative, buildSanitized, buildWasm, buildWeb, nativeFolder, sanitizedFolder } from './build.mjs';
+import {
+  buildNative,
+  buildPackage,
+  buildSanitized,
+  buildWasm,
+  buildWeb,
+  nativeFolder,
+  sanitizedFolder,
+} from './build.mjs';
 import { projectFiles } from './lib/files.mjs';
 import { format } from './format.mjs';
 import { Failure, main, root, run } from './lib/run.mjs';
@@ -92,6 +100,8 @@ const stages = [
   ['ctest', () => ctest(nativeFolder, full ? [] : ['-LE', 'full'], 'ctest.xml')],
   ['build wasm', () => buildWasm({ checks: true })],
   ['module', vitest],
+  ['build package', buildPackage],
+  ['package', () => nodeTests(/^tests\/package\/.*\.test\.mjs$/, 'package.xml')],
   ['build web', buildWeb],
   ['page', playwright],
 ];

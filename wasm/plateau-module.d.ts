@@ -69,6 +69,11 @@ export interface ModuleOptions {
   readonly wasmBinary?: ArrayBuffer | Uint8Array;
   /** For the browser: where plateau.wasm was put. */
   readonly locateFile?: (name: string) => string;
+  /** For a module that is compiled already: instantiates it and hands the instance to `receive`. */
+  readonly instantiateWasm?: (
+    imports: WebAssembly.Imports,
+    receive: (instance: WebAssembly.Instance) => void,
+  ) => object;
 }
 
 export default function createModule(options?: ModuleOptions): Promise<PlateauModule>;

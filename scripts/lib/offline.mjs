@@ -7,13 +7,15 @@ import { root } from './run.mjs';
 const workerName = 'service-worker.js';
 /** Beside the page, for whoever asks for them; the page runs without. */
 const apart = [workerName, 'licences.txt', 'source.tar.gz'];
+/** The element, for other pages. */
+const apartFolder = 'embed/';
 
 /** Paths of the files that the page is made of, relative to its folder, sorted. */
 export function pageFiles(folder) {
   return readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
     .map((entry) => relative(folder, join(entry.parentPath, entry.name)).split(sep).join('/'))
-    .filter((path) => !apart.includes(path))
+    .filter((path) => !apart.includes(path) && !path.startsWith(apartFolder))
     .sort();
 }
 

@@ -103,7 +103,7 @@ describe('the client', () => {
   test('turns a failure of the core into an error with its code and words', async () => {
     const opening = client.open(source, {});
     worker().answer({ kind: 'failed', runId: 1, requestId: 1, failure: { code: 3, message: 'Line 2 …' } });
-    await expect(opening).rejects.toMatchObject({ code: 3, message: 'Line 2 …' });
+    await expect(opening).rejects.toMatchObject({ code: 'not-a-number', message: 'Line 2 …' });
   });
 
   test('settles every promise when the worker dies, and goes on with a fresh one', async () => {
@@ -130,6 +130,26 @@ describe('the client', () => {
     expect(workers).toHaveLength(2);
     worker().open();
     await expect(again).resolves.toHaveProperty('opened', OPENED);
+  });
+
+  test('a run ends with its worker: what it is asked later fails for the same reason', async () => {
+    const opening = client.open(source, {});
+    worker().open();
+    const run = await opening;
+    worker().die('memory access out of bounds');
+    for (const asked of [run.fetchDelta(), run.close()]) {
+      await expect(asked).rejects.toMatchObject({ code: WORKER_FAILED, cause: deaths[0] });
+      await expect(asked).rejects.toThrow(/not open any more.*memory access out of bounds/s);
+    }
+    expect(workers).toHaveLength(1);
+  });
+
+  test('keeps no timer when nothing is awaited', async () => {
+    const opening = client.open(source, {});
+    expect(vi.getTimerCount()).toBe(1);
+    worker().open();
+    await opening;
+    expect(vi.getTimerCount()).toBe(0);
   });
 
   test('does not wait for ever for a worker that fell silent', async () => {

@@ -39,7 +39,7 @@ export class CardList {
     const moved = items.length !== this.items.length || items.some((item, i) => item !== this.items[i]);
     this.items = items;
     if (!moved) return;
-    const focused = items.find(({ button }) => button === document.activeElement);
+    const focused = items.find(({ button }) => button.matches(':focus'));
     this.list.replaceChildren(...items.map(({ element }) => element));
     focused?.button.focus();
   }

@@ -12,8 +12,8 @@ export function setNotice(element: HTMLElement, text: string): void {
 }
 
 /** The lines of the diagram that there are. */
-export function showLegend(bettiCount: number): void {
-  document.querySelectorAll<HTMLElement>('.legend > span').forEach((entry, k) => {
+export function showLegend(bettiCount: number, within: ParentNode = document): void {
+  within.querySelectorAll<HTMLElement>('.legend > span').forEach((entry, k) => {
     entry.hidden = k >= bettiCount;
   });
 }

@@ -1,4 +1,7 @@
 import './theme.css';
+import './controls.css';
+import '../view/diagram.css';
+import './cards.css';
 import './page.css';
 import './film-and-cards.css';
 import './tools.css';

@@ -1,10 +1,9 @@
-import { PlateauError } from '../client/plateau-error.ts';
+import { PlateauError, type ErrorCode } from '../client/plateau-error.ts';
 import { distancesInWords } from '../model/forecast.ts';
 import { flatness } from '../model/flatness.ts';
 import type { Opened } from '../worker/protocol.ts';
 import { byId, setNotice } from './dom.ts';
 
-const UNSUPPORTED_DIMENSION = 7;
 /** What the command says to its own users; here the form asks. */
 const COMMAND_OPTION = / with --columns\b[^.]*\.?$/;
 
@@ -12,7 +11,11 @@ const ADVICE = 'Nothing was changed here. Mend the file and open it again, or op
 /** What is no table of points may still be one of distances: triangular, or with names. */
 const MAY_BE_DISTANCES =
   'Nothing was changed here. Are they distances? Else mend the file and open it again.';
-const NO_NUMBERS_OR_RAGGED = [3, 4, 5];
+const NO_NUMBERS_OR_RAGGED: readonly string[] = [
+  'not-a-number',
+  'ragged-rows',
+  'malformed-input',
+] satisfies readonly ErrorCode[];
 const TABLE = /\.(csv|tsv|txt|dat)$/i;
 
 const FLAT_NOTES = {
@@ -38,7 +41,7 @@ export class Notices {
   /** `about`: the file that the error came from, if it can be read anew with other columns. */
   error(error: unknown, about = ''): void {
     const asksForColumns =
-      about !== '' && error instanceof PlateauError && error.code === UNSUPPORTED_DIMENSION;
+      about !== '' && error instanceof PlateauError && error.code === 'unsupported-dimension';
     const asksForDistances =
       error instanceof PlateauError && TABLE.test(about) && NO_NUMBERS_OR_RAGGED.includes(error.code);
     const message = error instanceof Error ? error.message : String(error);

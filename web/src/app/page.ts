@@ -1,4 +1,3 @@
-import { PlateauClient } from '../client/plateau-client.ts';
 import { History } from '../model/history.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
@@ -14,13 +13,14 @@ import { EarlierRun, sameShape, type ShownRun } from './earlier-run.ts';
 import { Film } from './film.ts';
 import { Notices } from './notices.ts';
 import { openingOf, type Arrival, type Opening } from './opening.ts';
+import { pageClient } from './page-client.ts';
 import { RunFeed } from './run-feed.ts';
 import { RunNotes } from './run-notes.ts';
 import { SettingsForm } from './settings-form.ts';
 import { shapeViewOrNone } from './shape-or-none.ts';
 import { cloudSource, sourceName, withDefaults, type SourceChoice } from './source.ts';
 import { StatusLine } from './status-line.ts';
-import { Transport } from './transport.ts';
+import { pageTransport } from './transport.ts';
 import { ViewTools } from './view-tools.ts';
 
 /** While a run grows: the computation needs the time between two pictures. */
@@ -31,7 +31,7 @@ export class Page {
   private readonly root = byId('plateau', HTMLElement);
   private readonly notices = new Notices();
   private readonly earlier = new EarlierRun();
-  readonly client = new PlateauClient({ onDeath: (error) => this.showError(error) });
+  readonly client = pageClient((error) => this.showError(error));
   readonly tools = new ViewTools();
   /** None without WebGL. */
   readonly shape = shapeViewOrNone(this.tools.showScale);
@@ -39,7 +39,7 @@ export class Page {
     this.goTo(step),
   );
   private readonly status = new StatusLine(byId('readout', HTMLElement), byId('status', HTMLElement));
-  private readonly transport = new Transport(this);
+  private readonly transport = pageTransport(this);
   private readonly cardList = new CardList(
     byId('cards', HTMLElement),
     byId('no-cards', HTMLElement),

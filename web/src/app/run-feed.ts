@@ -22,6 +22,7 @@ export class RunFeed {
   private readonly cards: CardStack;
   private stopped = false;
   private pulling = false;
+  private resting = false;
 
   constructor(
     readonly run: RemoteRun,
@@ -32,7 +33,7 @@ export class RunFeed {
   }
 
   start(): void {
-    if (this.pulling) return;
+    if (this.pulling || this.resting) return;
     this.pulling = true;
     this.pull()
       .catch((error: unknown) => {
@@ -41,6 +42,24 @@ export class RunFeed {
       .finally(() => {
         this.pulling = false;
       });
+  }
+
+  /** Nothing more is computed or asked for, until `resume`. */
+  pause(): void {
+    if (this.resting) return;
+    this.resting = true;
+    // A dead worker computes nothing anyway.
+    this.run.pause().catch(() => undefined);
+  }
+
+  resume(): void {
+    if (!this.resting) return;
+    this.resting = false;
+    if (this.record.ended) return;
+    this.run.resume().then(
+      () => this.start(),
+      (error: unknown) => this.listener.failed(error),
+    );
   }
 
   /** The run goes on beyond the noise, also where it has ended there. */
@@ -59,7 +78,7 @@ export class RunFeed {
 
   private async pull(): Promise<void> {
     let cardsDue = 0;
-    while (!this.stopped) {
+    while (!this.stopped && !this.resting) {
       const delta = await this.run.fetchDelta();
       if (this.stopped) return;
       this.record.append(delta);

@@ -26,7 +26,8 @@ export class StatusLine {
 
   show(record: RunRecord, at: StepSummary | undefined, moving: boolean): void {
     const text = sentence(record, at);
-    this.readout.textContent = text;
+    // A name and its number stay in one line.
+    this.readout.textContent = text.replace(/(step|ε|β) /g, '$1\u00a0');
     this.status.setAttribute('aria-live', moving ? 'off' : 'polite');
     const now = performance.now();
     if (moving && now - this.spokenAt < SPOKEN_EVERY_MS) return;

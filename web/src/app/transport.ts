@@ -8,17 +8,40 @@ export interface TransportActions {
   goTo(step: number): void;
 }
 
+export interface TransportParts {
+  readonly play: HTMLButtonElement;
+  /** The word on it. */
+  readonly label: HTMLElement;
+  readonly back: HTMLButtonElement;
+  readonly forward: HTMLButtonElement;
+  readonly slider: HTMLInputElement;
+}
+
+/** That of the page. */
+export function pageTransport(actions: TransportActions): Transport {
+  return new Transport(actions, {
+    play: byId('play', HTMLButtonElement),
+    label: byId('play-label', HTMLElement),
+    back: byId('back', HTMLButtonElement),
+    forward: byId('forward', HTMLButtonElement),
+    slider: byId('step', HTMLInputElement),
+  });
+}
+
 /** Back, Play or Pause, Step, and the slider. */
 export class Transport {
-  private readonly play = byId('play', HTMLButtonElement);
-  private readonly label = byId('play-label', HTMLElement);
-  private readonly slider = byId('step', HTMLInputElement);
+  private readonly play: HTMLButtonElement;
+  private readonly label: HTMLElement;
+  private readonly slider: HTMLInputElement;
 
-  constructor(actions: TransportActions) {
-    this.play.addEventListener('click', () => actions.togglePlay());
-    byId('back', HTMLButtonElement).addEventListener('click', () => actions.move(-1));
-    byId('forward', HTMLButtonElement).addEventListener('click', () => actions.move(1));
-    this.slider.addEventListener('input', () => actions.goTo(this.slider.valueAsNumber));
+  constructor(actions: TransportActions, { play, label, back, forward, slider }: TransportParts) {
+    this.play = play;
+    this.label = label;
+    this.slider = slider;
+    play.addEventListener('click', () => actions.togglePlay());
+    back.addEventListener('click', () => actions.move(-1));
+    forward.addEventListener('click', () => actions.move(1));
+    slider.addEventListener('input', () => actions.goTo(slider.valueAsNumber));
   }
 
   setPlaying(playing: boolean): void {

@@ -8,35 +8,32 @@ import type {
   WorkerEvent,
 } from '../worker/protocol.ts';
 import { PlateauError, WORKER_FAILED } from './plateau-error.ts';
-import { WorkerLink, type WorkerLike } from './worker-link.ts';
-
-function startWorker(): WorkerLike {
-  return new Worker(new URL('../worker/main.ts', import.meta.url), { type: 'module' });
-}
+import { WorkerLink, type OutgoingRequest, type WorkerLike } from './worker-link.ts';
 
 function outOfTurn(event: WorkerEvent): PlateauError {
-  return new PlateauError({
-    code: WORKER_FAILED,
-    message: `The computation answered out of turn (${event.kind}).`,
-  });
+  return new PlateauError(WORKER_FAILED, `The computation answered out of turn (${event.kind}).`);
 }
 
 /** A run in the worker. Close it when it is no longer shown; its memory is freed there. */
 export class RemoteRun {
+  private readonly life: number;
+
   constructor(
     private readonly link: WorkerLink,
     private readonly runId: number,
     readonly opened: Opened,
-  ) {}
+  ) {
+    this.life = link.life;
+  }
 
   async fetchDelta(): Promise<Delta> {
-    const event = await this.link.send({ kind: 'fetchDelta', runId: this.runId });
+    const event = await this.send({ kind: 'fetchDelta', runId: this.runId });
     if (event.kind !== 'delta') throw outOfTurn(event);
     return event.delta;
   }
 
   async fetchPlateaus(): Promise<Plateaus> {
-    const event = await this.link.send({ kind: 'fetchPlateaus', runId: this.runId });
+    const event = await this.send({ kind: 'fetchPlateaus', runId: this.runId });
     if (event.kind !== 'plateaus') throw outOfTurn(event);
     return event.plateaus;
   }
@@ -45,36 +42,42 @@ export class RemoteRun {
   async exportFile(format: ExportFormat, step?: number, view?: string): Promise<Uint8Array> {
     const at = step === undefined ? {} : { step };
     const kept = view === undefined ? {} : { view };
-    const event = await this.link.send({ kind: 'export', runId: this.runId, format, ...at, ...kept });
+    const event = await this.send({ kind: 'export', runId: this.runId, format, ...at, ...kept });
     if (event.kind !== 'exported') throw outOfTurn(event);
     return event.bytes;
   }
 
   async pause(): Promise<void> {
-    await this.link.send({ kind: 'pause', runId: this.runId });
+    await this.send({ kind: 'pause', runId: this.runId });
   }
 
   async resume(): Promise<void> {
-    await this.link.send({ kind: 'resume', runId: this.runId });
+    await this.send({ kind: 'resume', runId: this.runId });
   }
 
   /** Lifts the stop at the noise: the run goes on to its end, whether it has ended there or not. */
   async runPastNoise(): Promise<void> {
-    await this.link.send({ kind: 'runPastNoise', runId: this.runId });
+    await this.send({ kind: 'runPastNoise', runId: this.runId });
   }
 
   async close(): Promise<void> {
-    await this.link.send({ kind: 'close', runId: this.runId });
+    await this.send({ kind: 'close', runId: this.runId });
+  }
+
+  /** A run ends with its worker: another one would not know it. */
+  private send(request: OutgoingRequest): Promise<WorkerEvent> {
+    return this.link.sendWithin(this.life, request);
   }
 }
 
-/** The page's door to the computation: opens runs in one worker, which it replaces when it dies. */
+/** The door to the computation: opens runs in one worker, which it replaces when it dies. */
 export class PlateauClient {
   private readonly link: WorkerLink;
   private nextRunId = 1;
 
-  constructor(options: { onDeath?: (error: PlateauError) => void; spawn?: () => WorkerLike } = {}) {
-    this.link = new WorkerLink(options.spawn ?? startWorker, options.onDeath ?? (() => undefined));
+  /** `spawn` starts a worker that serves runs; `onDeath` is told why one died. */
+  constructor(options: { spawn: () => WorkerLike; onDeath?: (error: PlateauError) => void }) {
+    this.link = new WorkerLink(options.spawn, options.onDeath ?? (() => undefined));
   }
 
   /**

@@ -31,6 +31,8 @@ export class WorkerLink {
   private readonly pending = new Map<number, Pending>();
   private nextRequestId = 1;
   private silentLooks = 0;
+  private lives = 0;
+  private death: PlateauError | undefined;
   private watch: ReturnType<typeof setInterval> | undefined;
 
   /** `onDeath` is told why a worker died, also when nobody was waiting. All its runs are gone then. */
@@ -49,14 +51,29 @@ export class WorkerLink {
         this.worker.postMessage({ ...request, requestId }, transfer);
       } catch (error) {
         this.pending.delete(requestId);
+        if (this.pending.size === 0) this.stopWatch();
         reject(error instanceof Error ? error : new Error(String(error)));
       }
     });
   }
 
+  /** How many workers there were before: what began in one of them ended with it. */
+  get life(): number {
+    return this.lives;
+  }
+
+  /** As `send`, for what only the worker of that life can answer; a later one does not know it. */
+  async sendWithin(life: number, request: OutgoingRequest): Promise<WorkerEvent> {
+    const { death } = this;
+    if (!death || life === this.lives) return this.send(request);
+    throw new PlateauError(WORKER_FAILED, `This run is not open any more. ${death.message}`, {
+      cause: death,
+    });
+  }
+
   /** Ends the worker; what is pending fails. The next request starts a fresh one. */
   dispose(): void {
-    this.end(new PlateauError({ code: WORKER_FAILED, message: 'The computation was closed.' }));
+    this.end(new PlateauError(WORKER_FAILED, 'The computation was closed.'));
   }
 
   private start(): WorkerLike {
@@ -67,12 +84,16 @@ export class WorkerLink {
       const waiting = this.pending.get(data.requestId);
       if (!waiting) return;
       this.pending.delete(data.requestId);
-      if (data.kind === 'failed') waiting.reject(new PlateauError(data.failure));
+      // A watch that goes on would keep a program alive that has nothing more to do.
+      if (this.pending.size === 0) this.stopWatch();
+      if (data.kind === 'failed') waiting.reject(PlateauError.of(data.failure));
       else waiting.resolve(data);
     };
     worker.onerror = (event) => {
       event.preventDefault();
-      this.die(event.message || 'its program could not be loaded');
+      this.die(
+        event.message || 'its program could not be loaded, or the policy of this page does not allow it',
+      );
     };
     worker.onmessageerror = () => this.die('a message could not be read');
     return worker;
@@ -82,8 +103,7 @@ export class WorkerLink {
     if (this.watch !== undefined) return;
     this.silentLooks = 0;
     this.watch = setInterval(() => {
-      if (this.pending.size === 0) this.stopWatch();
-      else if (++this.silentLooks >= SILENT_LOOKS) this.die('it no longer answers');
+      if (++this.silentLooks >= SILENT_LOOKS) this.die('it no longer answers');
     }, LOOK_EVERY_MS);
   }
 
@@ -93,16 +113,18 @@ export class WorkerLink {
   }
 
   private die(reason: string): void {
-    const error = new PlateauError({
-      code: WORKER_FAILED,
-      message: `The computation stopped unexpectedly (${reason}). What is shown stays; open the points again to go on.`,
-    });
+    const error = new PlateauError(
+      WORKER_FAILED,
+      `The computation stopped unexpectedly (${reason}). What is shown stays; open the points again to go on.`,
+    );
     this.end(error);
     this.onDeath(error);
   }
 
   private end(error: PlateauError): void {
     this.stopWatch();
+    this.lives += 1;
+    this.death = error;
     this.worker?.terminate();
     this.worker = undefined;
     const waiting = [...this.pending.values()];

@@ -41,7 +41,7 @@ export function previewOf(canvas: HTMLCanvasElement, coordinates: Float64Array, 
   canvas.height = height * ratio;
   context.scale(ratio, ratio);
   const zoom = 0.86 * Math.min(width / across.extent, height / upright.extent);
-  context.fillStyle = cssValue('--preview');
+  context.fillStyle = cssValue(canvas, '--preview');
   for (const [x = 0, y = 0, z = 0] of placed) {
     const near = dimension === 2 ? 1 : 0.5 + (z - depth.middle) / depth.extent;
     context.globalAlpha = 0.22 + 0.7 * near;

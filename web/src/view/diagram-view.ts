@@ -138,6 +138,8 @@ export class DiagramView {
   private dragged = false;
   /** The finger that is down scrolls, or taps. */
   private tapped = false;
+  /** The playhead was moved to where the next picture shows it. */
+  private moved = false;
 
   constructor(
     private readonly container: HTMLElement,
@@ -176,6 +178,7 @@ export class DiagramView {
   /** Moves the playhead. */
   showStep(step: number): void {
     this.step = step;
+    this.moved = this.paintRequest !== 0;
     this.placePlayhead();
     this.keepInSight();
   }
@@ -252,6 +255,8 @@ export class DiagramView {
     paintNames(context, layout, style, seen);
     this.layout = layout;
     this.placePlayhead();
+    if (this.moved) this.keepInSight();
+    this.moved = false;
   }
 
   private placePlayhead(): void {

@@ -73,7 +73,8 @@ export interface SceneMaterials {
   dispose(): void;
 }
 
-export function createMaterials(): SceneMaterials {
+/** In the colors that hold at the element. */
+export function createMaterials(styled: Element): SceneMaterials {
   const shared: SharedUniforms = {
     uPositions: { value: null },
     uBeyond: { value: null },
@@ -142,7 +143,7 @@ export function createMaterials(): SceneMaterials {
   landmark.transparent = true;
   const all = [edge, surface, faces, witness, landmark];
 
-  let theme = sceneTheme();
+  let theme = sceneTheme(styled);
   let shown: ShownFamily = 'delaunay';
   const materials: SceneMaterials = {
     shared,
@@ -157,7 +158,7 @@ export function createMaterials(): SceneMaterials {
       setAxes(shared.uAxesBeyond.value, rows, 4);
     },
     applyTheme() {
-      theme = sceneTheme();
+      theme = sceneTheme(styled);
       materials.setFamily(shown);
       shared.uBackground.value.copy(theme.background);
       line.value.copy(theme.surfaceLine);

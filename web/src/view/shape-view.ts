@@ -40,6 +40,11 @@ export interface ShownLayers {
   readonly faces: boolean;
 }
 
+export interface Viewpoint {
+  readonly from: Vector3;
+  readonly at: Vector3;
+}
+
 /** A plane across an axis; `place` goes from -1 to 1 through the cloud, what lies beyond it is cut away. */
 export interface Section {
   readonly axis: 0 | 1 | 2;
@@ -52,7 +57,7 @@ export class ShapeView {
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.02, 100);
   private readonly controls: OrbitControls;
   private readonly scene = new Scene();
-  private readonly materials: SceneMaterials = createMaterials();
+  private readonly materials: SceneMaterials;
   private readonly resizing: ResizeObserver;
   private record: RunRecord | undefined;
   private frame: CloudFrame | undefined;
@@ -70,6 +75,7 @@ export class ShapeView {
   private behind = false;
   private compiled = false;
   private held: ReturnType<typeof setTimeout> | undefined;
+  private readonly listening = new AbortController();
   private shown: ShownLayers = { witnesses: true, landmarks: true, edges: true, faces: true };
 
   /**
@@ -82,6 +88,7 @@ export class ShapeView {
     onLost: (lost: boolean) => void,
   ) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.materials = createMaterials(container);
     this.pace = new GpuPace(this.renderer.getContext());
     const changed = (lost: boolean): void => {
       this.lost = lost;
@@ -89,8 +96,9 @@ export class ShapeView {
       onLost(lost);
       this.requestRender();
     };
-    this.renderer.domElement.addEventListener('webglcontextlost', () => changed(true));
-    this.renderer.domElement.addEventListener('webglcontextrestored', () => changed(false));
+    const { signal } = this.listening;
+    this.renderer.domElement.addEventListener('webglcontextlost', () => changed(true), { signal });
+    this.renderer.domElement.addEventListener('webglcontextrestored', () => changed(false), { signal });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
     container.append(this.renderer.domElement);
@@ -113,6 +121,7 @@ export class ShapeView {
     for (const material of [witness, landmark]) all.add(new Points(geometry, material));
     for (const object of all.children) object.frustumCulled = false;
     await this.renderer.compileAsync(all, this.camera);
+    if (this.listening.signal.aborted) return;
     // Draws nothing, but asks the card about programs and textures now, while it has nothing else to do: later each
     // question would wait until all is drawn that was asked for before.
     const texture = frameTexture(new Float32Array(4 * FRAME_WIDTH));
@@ -177,7 +186,11 @@ export class ShapeView {
     this.loaded = left < BYTES_A_PICTURE;
     this.behind = left <= 0;
     this.showBusy();
-    if (this.loaded) this.requestRender();
+    if (!this.loaded) return;
+    // What is new lives at the step that is shown, too: a playhead that stands still asks for nothing.
+    const { uStep, uRecent } = this.materials.shared;
+    this.showStep(uStep.value, uRecent.value);
+    this.requestRender();
   }
 
   private showBusy(): void {
@@ -250,6 +263,22 @@ export class ShapeView {
     this.lookFrom(planar ? new Vector3(0, 0, 1) : new Vector3(0.45, -0.75, 0.62).normalize());
   }
 
+  /** From where the shape is looked at, and from how near; for a view of the same record. */
+  get viewpoint(): Viewpoint {
+    return { from: this.camera.position.clone(), at: this.controls.target.clone() };
+  }
+
+  set viewpoint({ from, at }: Viewpoint) {
+    this.camera.position.copy(from);
+    this.controls.target.copy(at);
+    this.controls.update();
+  }
+
+  /** Whether the wheel brings the shape nearer; otherwise it scrolls what the shape is part of. */
+  set wheelZooms(zooms: boolean) {
+    this.controls.enableZoom = zooms;
+  }
+
   /** The whole cloud from where the visitor has turned it. */
   frameAll(): void {
     this.lookFrom(this.camera.position.clone().sub(this.controls.target).normalize());
@@ -317,7 +346,9 @@ export class ShapeView {
     if (this.frame) this.onView(seen / this.container.clientHeight / this.frame.scale);
   }
 
+  /** Gives back the graphics card too: browsers allow few contexts on a page. */
   dispose(): void {
+    this.listening.abort();
     cancelAnimationFrame(this.renderRequest);
     this.pace.dispose();
     this.resizing.disconnect();
@@ -325,6 +356,7 @@ export class ShapeView {
     this.controls.dispose();
     this.materials.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss();
     this.renderer.domElement.remove();
   }
 
@@ -356,6 +388,7 @@ export class ShapeView {
     this.witnesses?.geometry.dispose();
     for (const texture of this.textures) texture.dispose();
     this.textures = [];
+    this.materials.shared.uStep.value = 0;
     this.scene.clear();
     this.layers = undefined;
     this.witnesses = undefined;

@@ -16,34 +16,36 @@ export interface SceneTheme {
   readonly witnessAlpha: number;
 }
 
-/** The value of a CSS variable of the page. */
-export function cssValue(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+/** The value of a CSS variable of the element. */
+export function cssValue(element: Element, name: string): string {
+  return getComputedStyle(element).getPropertyValue(name).trim();
 }
 
 /** As written, without the conversion to linear light: the shaders mix on-screen values. */
-function color(name: string): Color {
-  const [, red = '80', green = '80', blue = '80'] = /^#(..)(..)(..)$/.exec(cssValue(name)) ?? [];
+function color(element: Element, name: string): Color {
+  const written = cssValue(element, name);
+  const [, red = '80', green = '80', blue = '80'] = /^#(..)(..)(..)$/.exec(written) ?? [];
   return new Color().setRGB(parseInt(red, 16) / 255, parseInt(green, 16) / 255, parseInt(blue, 16) / 255);
 }
 
-function byFamily(name: string): Record<ShownFamily, Color> {
-  const delaunay = color(`${name}-delaunay`);
-  const witness = color(`${name}-witness`);
+function byFamily(element: Element, name: string): Record<ShownFamily, Color> {
+  const delaunay = color(element, `${name}-delaunay`);
+  const witness = color(element, `${name}-witness`);
   return { delaunay, witness, surface: delaunay, dilated: witness };
 }
 
-export function sceneTheme(): SceneTheme {
+/** The colors that hold at the element. */
+export function sceneTheme(element: Element): SceneTheme {
   return {
-    background: color('--stage'),
-    surface: color('--surface'),
-    surfaceBack: color('--surface-back'),
-    surfaceLine: color('--surface-line'),
-    face: byFamily('--face'),
-    edge: byFamily('--edge'),
-    landmark: color('--landmark'),
-    accent: color('--accent-landmark'),
-    witness: color('--witness'),
-    witnessAlpha: Number(cssValue('--witness-alpha')) || 0.4,
+    background: color(element, '--stage'),
+    surface: color(element, '--surface'),
+    surfaceBack: color(element, '--surface-back'),
+    surfaceLine: color(element, '--surface-line'),
+    face: byFamily(element, '--face'),
+    edge: byFamily(element, '--edge'),
+    landmark: color(element, '--landmark'),
+    accent: color(element, '--accent-landmark'),
+    witness: color(element, '--witness'),
+    witnessAlpha: Number(cssValue(element, '--witness-alpha')) || 0.4,
   };
 }

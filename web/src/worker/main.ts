@@ -1,34 +1,7 @@
 import createModule from 'plateau-module';
 import wasmAddress from 'plateau-module/wasm';
-import type { WorkerEvent, WorkerRequest } from './protocol.ts';
-import { WorkerRuntime } from './runtime.ts';
+import type { WorkerRequest } from './protocol.ts';
+import { servedBy } from './serve.ts';
 
-const scope = self as unknown as DedicatedWorkerGlobalScope;
-
-// A message to oneself comes after those that wait already; a timer would wait at least 4 ms each time.
-const turn = new MessageChannel();
-let callback: (() => void) | undefined;
-turn.port1.onmessage = () => callback?.();
-function schedule(next: () => void): void {
-  callback = next;
-  turn.port2.postMessage(null);
-}
-
-function post(event: WorkerEvent, transfer: ArrayBuffer[]): void {
-  scope.postMessage(event, transfer);
-}
-
-const early: WorkerRequest[] = [];
-let handle = (request: WorkerRequest): void => void early.push(request);
-scope.onmessage = (event: MessageEvent<WorkerRequest>) => handle(event.data);
-
-createModule({ locateFile: () => wasmAddress }).then(
-  (module) => {
-    const runtime = new WorkerRuntime(module, post, schedule);
-    post({ kind: 'ready', runId: 0 }, []);
-    handle = (request) => runtime.handle(request);
-    for (const request of early.splice(0)) handle(request);
-  },
-  // A rejected promise does not reach the page; an error event does.
-  (error: unknown) => reportError(error),
-);
+const handle = servedBy(createModule({ locateFile: () => wasmAddress }));
+self.onmessage = (event: MessageEvent<WorkerRequest>) => handle(event.data);

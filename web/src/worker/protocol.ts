@@ -94,6 +94,12 @@ export type ExportFormat =
   /** A file that opens as this run. */
   | 'session';
 
+/** For the worker of the package, before anything else: the program that it runs, compiled once for all workers. */
+export interface LoadModule {
+  readonly kind: 'loadModule';
+  readonly compiled: WebAssembly.Module;
+}
+
 export type WorkerRequest =
   /** Reads the source, starts the run, and computes on until `pause`, `close` or the end. */
   | {

@@ -1,0 +1,75 @@
+import { PlateauError } from '../client/plateau-error.ts';
+import { SCAN_POINTS } from '../model/forecast.ts';
+import { npyOf } from '../package/cloud.ts';
+import type { CloudSource, RunOptions } from '../worker/protocol.ts';
+import type { ElementSource } from './settings.ts';
+
+/** Points that were given by a call instead of by attributes. */
+export type Given =
+  | { readonly kind: 'file'; readonly file: File; readonly columns?: readonly number[] }
+  | { readonly kind: 'points'; readonly points: Float64Array; readonly dimension: number };
+
+/** What an element opens. */
+export type Opening = ElementSource | Given;
+
+/** What the points are called. */
+export function nameOf(opening: Opening): string {
+  switch (opening.kind) {
+    case 'shape':
+      return opening.shape;
+    case 'address':
+      return opening.address.replace(/[?#].*$/, '').replace(/^.*\//, '') || opening.address;
+    case 'file':
+      return opening.file.name;
+    case 'points':
+      return 'points';
+  }
+}
+
+/** A scan ends at its noise, as on the page. */
+export function optionsFor(opening: Opening, options: RunOptions): RunOptions {
+  return opening.kind === 'shape' ? options : { noiseStopFrom: SCAN_POINTS, ...options };
+}
+
+function fileSource(name: string, bytes: ArrayBuffer, columns: readonly number[] | undefined): CloudSource {
+  return { kind: 'file', name, bytes, ...(columns ? { columns, anyDimension: true } : {}) };
+}
+
+async function fetched(address: string, signal: AbortSignal): Promise<ArrayBuffer> {
+  let answer: Response;
+  let url: URL;
+  try {
+    url = new URL(address, document.baseURI);
+    answer = await fetch(url, { signal });
+  } catch {
+    signal.throwIfAborted();
+    throw new PlateauError(
+      'cannot-read',
+      `${address} cannot be read: there is no answer, or its server or the policy of this page does not allow it.`,
+    );
+  }
+  if (!answer.ok)
+    throw new PlateauError('cannot-read', `${url.href} cannot be read: it answers ${answer.status}.`);
+  return answer.arrayBuffer();
+}
+
+/** The points as a run is given them. Points that were given stay as they are: they may be opened again. */
+export async function cloudOf(opening: Opening, signal: AbortSignal): Promise<CloudSource> {
+  switch (opening.kind) {
+    case 'shape':
+      return { ...opening, kind: 'sample' };
+    case 'address':
+      return fileSource(nameOf(opening), await fetched(opening.address, signal), opening.columns);
+    case 'points':
+      return { kind: 'file', name: 'points.npy', bytes: npyOf(opening), anyDimension: true };
+    case 'file':
+      try {
+        return fileSource(opening.file.name, await opening.file.arrayBuffer(), opening.columns);
+      } catch {
+        throw new PlateauError(
+          'cannot-read',
+          `${opening.file.name} cannot be read. It may have been moved, or it is too large for this browser.`,
+        );
+      }
+  }
+}

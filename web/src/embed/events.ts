@@ -1,0 +1,69 @@
+import type { ErrorCode } from '../client/plateau-error.ts';
+import type { PlateauCard } from '../model/plateau-cards.ts';
+import { shapeInWords } from '../model/words.ts';
+import type { Family, ShownFamily } from '../worker/protocol.ts';
+
+/** Event `ready`: points were opened, and their run can be watched. */
+export interface ReadyDetail {
+  /** The shape, or the name of the file. */
+  readonly name: string;
+  readonly points: number;
+  /** Coordinates a point; 0 where there are only distances. */
+  readonly dimension: number;
+  readonly family: Family;
+  readonly nu: readonly number[];
+  /** How many steps there will be, unless the run ends before. */
+  readonly stepsPlanned: number;
+  /** What the reader of a file has to say of it. */
+  readonly warnings: readonly string[];
+}
+
+/** Event `step`: the playhead shows another step; at most one a picture. */
+export interface StepDetail {
+  /** From 1 on. */
+  readonly step: number;
+  /** In units of the input. */
+  readonly epsilon: number;
+  /** Which complex is shown. */
+  readonly family: ShownFamily;
+  /** Betti numbers: components, loops, voids, … */
+  readonly betti: readonly number[];
+}
+
+/** Event `plateau`: the playhead has come to another plateau. Runs with short interruptions count as one. */
+export interface PlateauDetail {
+  /** 1: the longest that is worth showing. */
+  readonly rank: number;
+  readonly firstStep: number;
+  readonly lastStep: number;
+  /** A step that shows it well. */
+  readonly middleStep: number;
+  readonly epsilonFirst: number;
+  /** ln of the ratio of the scales between which it lasts. */
+  readonly length: number;
+  readonly family: ShownFamily;
+  readonly betti: readonly number[];
+  /** In words, such as "torus-like closed surface". */
+  readonly shape: string;
+}
+
+/** Event `error`: something could not be done. What was shown stays. */
+export interface ErrorDetail {
+  readonly code: ErrorCode;
+  /** A sentence for people; the element shows it too. */
+  readonly message: string;
+}
+
+/** The events of an element by name. They bubble and leave shadow roots. */
+export interface PlateauViewEventMap {
+  ready: CustomEvent<ReadyDetail>;
+  step: CustomEvent<StepDetail>;
+  plateau: CustomEvent<PlateauDetail>;
+  error: CustomEvent<ErrorDetail>;
+}
+
+export function plateauDetail(card: PlateauCard, rank: number): PlateauDetail {
+  const { firstStep, lastStep, middleStep, epsilonFirst, length, family, betti } = card;
+  const shape = shapeInWords(family, betti);
+  return { rank, firstStep, lastStep, middleStep, epsilonFirst, length, family, betti, shape };
+}

@@ -1,0 +1,19 @@
+// The page that an iframe shows: one element, with the attributes that the address names, after ? or #.
+import { ATTRIBUTES } from './settings.ts';
+
+const view = document.querySelector('plateau-view');
+
+/** The fragment goes before the query: it can change without loading the page again. */
+function follow(): void {
+  const asked = new URLSearchParams(location.search);
+  for (const [name, value] of new URLSearchParams(location.hash.slice(1))) asked.set(name, value);
+  for (const name of ATTRIBUTES) {
+    const value = asked.get(name) ?? (name === 'panels' ? 'full' : null);
+    if (value === null) view?.removeAttribute(name);
+    else view?.setAttribute(name, value);
+  }
+  document.title = `Plateau: ${asked.get('shape') ?? asked.get('src') ?? 'nothing to show yet'}`;
+}
+
+addEventListener('hashchange', follow);
+follow();

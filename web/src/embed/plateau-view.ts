@@ -1,0 +1,15 @@
+/**
+ * The custom element `<plateau-view>`; importing this defines it.
+ *
+ * @module plateau/element
+ */
+import { PlateauViewElement } from './plateau-view-element.ts';
+
+export { PlateauError, type ErrorCode } from '../client/plateau-error.ts';
+export type { ErrorDetail, PlateauDetail, PlateauViewEventMap, ReadyDetail, StepDetail } from './events.ts';
+export type { LoadOptions } from './plateau-view-element.ts';
+export type { Panels, Theme } from './settings.ts';
+export { PlateauViewElement };
+
+// A page may name this program twice, by two addresses.
+if (!customElements.get('plateau-view')) customElements.define('plateau-view', PlateauViewElement);

@@ -1,0 +1,371 @@
+import type { RemoteRun } from '../client/plateau-client.ts';
+import type { PlateauCard } from '../model/plateau-cards.ts';
+import type { RunRecord, StepSummary } from '../model/record.ts';
+import { DiagramView } from '../view/diagram-view.ts';
+import { ShapeView, type Viewpoint } from '../view/shape-view.ts';
+import type { Failure } from '../worker/protocol.ts';
+import { Announcer } from '../app/announcer.ts';
+import { CardList } from '../app/card-list.ts';
+import { setNotice, showLegend } from '../app/dom.ts';
+import { Film } from '../app/film.ts';
+import { RunFeed } from '../app/run-feed.ts';
+import { StatusLine } from '../app/status-line.ts';
+import { Transport } from '../app/transport.ts';
+import type { Parts } from './parts.ts';
+import type { Panels } from './settings.ts';
+import { listenToShapeKeys } from './shape-keys.ts';
+
+/** While a run grows: the computation needs the time between two pictures. */
+const PICTURES_EVERY_MS = 120;
+const NO_SHAPE =
+  'The shape needs WebGL 2, which this browser does not offer. The diagram and the plateaus work without it.';
+const LOST_SHAPE =
+  'The browser has taken the graphics card away. The shape comes back when it returns it; the diagram goes on.';
+
+/** Where the playhead goes when a run is shown. */
+export type Destination =
+  /** The film begins there. */
+  | { readonly kind: 'film'; readonly from: number }
+  | { readonly kind: 'step'; readonly step: number }
+  /** 1: the longest. Unless it was asked for by name, the longest that there is will do. */
+  | { readonly kind: 'plateau'; readonly rank: number; readonly asked: boolean };
+
+/** What happens inside, for the element to tell. */
+export interface ViewerListener {
+  /** The playhead shows another step. */
+  stepped(at: StepSummary): void;
+  /** It has come to another plateau. */
+  arrived(card: PlateauCard, rank: number): void;
+  /** The run stopped early, or its worker died. */
+  failed(error: unknown): void;
+  stopped(failure: Failure): void;
+  noGraphics(sentence: string): void;
+  noSuchPlateau(rank: number, plateaus: number): void;
+}
+
+/** One run that is shown and one playhead: what is inside an element. */
+export class Viewer {
+  private readonly film = new Film(this);
+  private readonly diagram: DiagramView;
+  private readonly transport: Transport;
+  private readonly cardList: CardList;
+  private readonly status: StatusLine;
+  private readonly announcer: Announcer;
+  private shape: ShapeView | undefined;
+  private viewpoint: Viewpoint | undefined;
+  private feed: RunFeed | undefined;
+  private cards: readonly PlateauCard[] = [];
+  /** The cards are those of the whole run. */
+  private cardsComplete = false;
+  private step = 0;
+  private destination: Destination | undefined;
+  private picturesDue = 0;
+  private panels: Panels = 'both';
+  private inView = false;
+  private playsWhenSeen = false;
+  private noGraphics = false;
+  private arrivedAt = '';
+
+  constructor(
+    private readonly parts: Parts,
+    private readonly listener: ViewerListener,
+  ) {
+    this.diagram = new DiagramView(parts.diagram, parts.timeline, (step) => this.goTo(step));
+    this.transport = new Transport(this, parts.transport);
+    this.cardList = new CardList(parts.cards, parts.noCards, (card) => {
+      this.goTo(card.middleStep);
+      this.shape?.frameAll();
+    });
+    this.status = new StatusLine(parts.readout, parts.status);
+    this.announcer = new Announcer(parts.spoken);
+    listenToShapeKeys(parts.shape, {
+      turn: (across, upright) => this.shape?.turn(across, upright),
+      zoom: (factor) => this.shape?.zoom(factor),
+      togglePlay: () => this.togglePlay(),
+    });
+    // The wheel scrolls what the element is part of, until the shape is what the visitor works with.
+    parts.shape.addEventListener('focus', () => this.takeWheel(true));
+    parts.shape.addEventListener('blur', () => this.takeWheel(false));
+  }
+
+  get record(): RunRecord | undefined {
+    return this.feed?.record;
+  }
+
+  get currentStep(): number {
+    return this.step;
+  }
+
+  get currentCards(): readonly PlateauCard[] {
+    return this.cards;
+  }
+
+  get playing(): boolean {
+    return this.film.playing || this.playsWhenSeen;
+  }
+
+  setPanels(panels: Panels): void {
+    this.panels = panels;
+    this.parts.view.dataset['panels'] = panels;
+    this.holdGraphics();
+    this.diagram.requestPaint();
+  }
+
+  applyTheme(): void {
+    this.shape?.applyTheme();
+    this.diagram.requestPaint();
+  }
+
+  /** Out of view nothing is computed, nothing moves, and the graphics card is given back. */
+  setInView(inView: boolean): void {
+    if (this.inView === inView) return;
+    this.inView = inView;
+    if (inView) {
+      this.feed?.resume();
+    } else {
+      this.playsWhenSeen = this.film.playing;
+      this.film.pause();
+      this.feed?.pause();
+    }
+    this.holdGraphics();
+    if (inView && this.playsWhenSeen) this.play();
+  }
+
+  /** Another opening is under way: what is shown stays, and takes no time from it. */
+  makeWay(): void {
+    this.feed?.pause();
+  }
+
+  /** It led to nothing. */
+  goOn(): void {
+    if (this.inView) this.feed?.resume();
+  }
+
+  show(run: RemoteRun, destination: Destination): void {
+    this.film.pause();
+    this.feed?.dispose();
+    const feed = new RunFeed(run, {
+      grown: () => this.grown(),
+      cardsFound: (cards) => this.showCards(cards),
+      ended: (stopped) => this.ended(stopped),
+      failed: (error) => this.feedFailed(error),
+    });
+    this.feed = feed;
+    this.cards = [];
+    this.cardsComplete = false;
+    this.step = 0;
+    this.arrivedAt = '';
+    this.playsWhenSeen = false;
+    this.viewpoint = undefined;
+    this.destination = destination;
+    this.shape?.setRecord(feed.record);
+    this.diagram.setRecord(feed.record, []);
+    this.cardList.show([], false);
+    this.announcer.restart();
+    this.transport.setSteps(1);
+    this.status.show(feed.record, undefined, false);
+    showLegend(feed.record.bettiCount, this.parts.film);
+    this.parts.empty.hidden = true;
+    this.parts.bar.inert = this.parts.film.inert = false;
+    this.showState();
+    if (!this.inView) feed.pause();
+    feed.start();
+  }
+
+  /** Goes where the attributes say, with the run that is shown. */
+  send(destination: Destination): void {
+    this.destination = destination;
+    this.film.pause();
+    if (this.record) this.follow(this.record);
+  }
+
+  togglePlay(): void {
+    if (this.film.playing) this.pause();
+    else this.play();
+  }
+
+  play(): void {
+    const { record } = this;
+    if (!record || record.stepCount === 0) return;
+    this.destination = undefined;
+    if (!this.inView) {
+      this.playsWhenSeen = true;
+      return;
+    }
+    this.playsWhenSeen = false;
+    if (this.film.playing) return;
+    if (this.step >= record.stepCount && record.ended) this.showStep(1);
+    this.film.play();
+  }
+
+  pause(): void {
+    this.playsWhenSeen = false;
+    if (this.destination?.kind === 'film') this.destination = undefined;
+    this.film.pause();
+  }
+
+  move(steps: number): void {
+    this.goTo(this.step + steps);
+  }
+
+  /** To a step that is computed, or the last one that is. */
+  goTo(step: number): void {
+    const { record } = this;
+    if (!record || record.stepCount === 0) return;
+    this.destination = undefined;
+    this.pause();
+    this.showStep(Math.min(record.stepCount, Math.max(1, Math.round(step))));
+  }
+
+  showFrame(step: number, recent: number): void {
+    if (step === this.step) this.shape?.glowSince(recent);
+    else this.showStep(step, recent);
+  }
+
+  playingChanged(playing: boolean): void {
+    this.transport.setPlaying(playing);
+    this.parts.view.dataset['playing'] = String(playing);
+    if (!playing && this.step > 0) this.showStep(this.step);
+  }
+
+  /** Frees everything; the viewer is of no use any more. */
+  dispose(): void {
+    this.film.pause();
+    this.feed?.dispose();
+    this.feed = undefined;
+    this.shape?.dispose();
+    this.shape = undefined;
+    this.diagram.dispose();
+  }
+
+  private takeWheel(takes: boolean): void {
+    if (this.shape) this.shape.wheelZooms = takes;
+  }
+
+  /** A context of the graphics card is held only while the shape is seen: browsers allow about sixteen on a page. */
+  private holdGraphics(): void {
+    const wanted = this.inView && this.panels !== 'diagram' && !this.noGraphics;
+    if (wanted === (this.shape !== undefined)) return;
+    if (!wanted) {
+      this.viewpoint = this.shape?.viewpoint;
+      this.shape?.dispose();
+      this.shape = undefined;
+      return;
+    }
+    try {
+      const onLost = (lost: boolean): void => setNotice(this.parts.noShape, lost ? LOST_SHAPE : '');
+      this.shape = new ShapeView(this.parts.shape, () => undefined, onLost);
+    } catch {
+      this.noGraphics = true;
+      setNotice(this.parts.noShape, NO_SHAPE);
+      this.listener.noGraphics(NO_SHAPE);
+      return;
+    }
+    this.shape.wheelZooms = this.parts.shape.matches(':focus');
+    if (!this.record) return;
+    this.shape.setRecord(this.record);
+    if (this.viewpoint) this.shape.viewpoint = this.viewpoint;
+    this.shape.sync();
+    if (this.step > 0) this.shape.showStep(this.step);
+  }
+
+  private grown(): void {
+    const { record } = this;
+    if (!record) return;
+    const first = this.step === 0 && record.stepCount > 0;
+    if (record.ended || first || performance.now() >= this.picturesDue) {
+      this.picturesDue = performance.now() + PICTURES_EVERY_MS;
+      this.shape?.sync();
+      this.transport.setSteps(record.stepCount);
+      this.diagram.requestPaint();
+      this.follow(record);
+    }
+    this.showState();
+  }
+
+  /** As far towards the destination as the record reaches. */
+  private follow(record: RunRecord): void {
+    const { destination } = this;
+    if (!destination || record.stepCount === 0) return;
+    const { stepCount } = record;
+    switch (destination.kind) {
+      case 'film':
+        if (stepCount < destination.from && !record.ended) return this.showStep(stepCount);
+        this.showStep(Math.min(stepCount, destination.from));
+        return this.play();
+      case 'step':
+        if (stepCount >= destination.step || record.ended) this.destination = undefined;
+        return this.showStep(Math.min(stepCount, destination.step));
+      case 'plateau':
+        return this.followPlateau(destination, record);
+    }
+  }
+
+  /** Which plateau is the longest is known at the end. */
+  private followPlateau({ rank, asked }: { rank: number; asked: boolean }, record: RunRecord): void {
+    const card = this.cards[rank - 1];
+    if (!this.cardsComplete) return this.showStep(record.stepCount);
+    this.destination = undefined;
+    this.showStep(card?.middleStep ?? record.stepCount);
+    if (!card && asked) this.listener.noSuchPlateau(rank, this.cards.length);
+  }
+
+  private showCards(cards: readonly PlateauCard[]): void {
+    const { record } = this;
+    if (!record) return;
+    this.cards = cards;
+    this.diagram.setCards(cards);
+    this.cardList.show(cards, record.ended);
+    this.cardsComplete = record.ended;
+    if (this.step > 0) this.markCard(record.summary(this.step));
+  }
+
+  private ended(stopped: Failure | undefined): void {
+    if (this.record) this.follow(this.record);
+    if (stopped) this.listener.stopped(stopped);
+  }
+
+  /** The run is lost; what the record holds can still be looked at. */
+  private feedFailed(error: unknown): void {
+    if (this.record) {
+      this.record.state = 'stopped';
+      this.grown();
+    }
+    this.listener.failed(error);
+  }
+
+  private showState(): void {
+    const { dataset } = this.parts.view;
+    dataset['runState'] = this.record?.state ?? 'empty';
+    dataset['steps'] = String(this.record?.stepCount ?? 0);
+    dataset['hash'] = this.record?.hash ?? '';
+  }
+
+  private showStep(step: number, recent = step): void {
+    const { record } = this;
+    if (!record) return;
+    const other = step !== this.step;
+    this.step = step;
+    const summary = record.summary(step);
+    this.shape?.showStep(step, recent);
+    this.diagram.showStep(step);
+    this.transport.showStep(summary);
+    this.markCard(summary);
+    this.status.show(record, summary, this.film.playing || this.destination !== undefined);
+    const { dataset } = this.parts.view;
+    dataset['step'] = String(step);
+    dataset['betti'] = summary.betti.join(',');
+    if (other) this.listener.stepped(summary);
+  }
+
+  /** While the playhead follows the computation plateaus come and go: none is told of. */
+  private markCard(summary: StepSummary): void {
+    const card = this.cardList.mark(summary);
+    if (this.destination) return;
+    this.announcer.at(card);
+    const name = card ? `${card.firstStep} ${card.family} ${card.betti.join()}` : '';
+    if (name === this.arrivedAt) return;
+    this.arrivedAt = name;
+    if (card) this.listener.arrived(card, this.cards.indexOf(card) + 1);
+  }
+}
