@@ -5,9 +5,7 @@ import {
   Mesh,
   PerspectiveCamera,
   Points,
-  Quaternion,
   Scene,
-  Spherical,
   Vector3,
   WebGLRenderer,
 } from 'three';
@@ -18,6 +16,7 @@ import { FRAME_WIDTH } from '../worker/frame.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
 import { distanceFor, frameTexture } from './cloud-frame.ts';
 import { GpuPace } from './gpu-pace.ts';
+import { orbit } from './orbit.ts';
 import { LifespanLayer } from './lifespan-layer.ts';
 import { createMaterials, NO_CUT, type SceneMaterials } from './scene-materials.ts';
 
@@ -303,11 +302,7 @@ export class ShapeView {
     if (this.planar) {
       target.add(new Vector3(-across, -upright, 0).multiplyScalar(offset.length()));
     } else {
-      const toUp = new Quaternion().setFromUnitVectors(this.camera.up, new Vector3(0, 1, 0));
-      const place = new Spherical().setFromVector3(offset.applyQuaternion(toUp));
-      place.theta -= 2 * Math.PI * across;
-      place.phi += 2 * Math.PI * upright;
-      offset.setFromSpherical(place.makeSafe()).applyQuaternion(toUp.invert());
+      orbit(offset, this.camera.up, across, upright);
     }
     this.camera.position.copy(target).add(offset);
     this.controls.update();
