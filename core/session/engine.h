@@ -30,7 +30,7 @@ struct EngineOptions {
     std::vector<std::vector<std::uint32_t>> nu;  ///< one sequence a track
     double rho = 0;
     std::uint32_t field = 2;
-    DilatedOptions dilated;
+    DilatedOptions dilated = {};
 };
 
 /// One insertion after the other, through every room: lists, D(L), complex, surface, Betti numbers, and the record of

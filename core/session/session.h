@@ -29,11 +29,11 @@ struct RunOptions {
     std::vector<std::uint32_t> nu;  ///< nu_0, nu_1, ...; empty: the family's default
     std::uint32_t first = 0;        ///< 0-based input index of the first landmark
     std::uint32_t max_steps = std::numeric_limits<std::uint32_t>::max();
-    double until_epsilon = 0;  ///< stop after the first step with epsilon <= this, input units
-    DilatedOptions dilated;    ///< family dilated: radius of the witnesses, pumping
-    double min_length = 0;     ///< stop where a plateau becomes this long, as Plateau::length() has it; 0 = off
-    double rho = 0;            ///< surface: drop triangles with radius-edge ratio above this; 0 = off
-    std::uint32_t field = 2;   ///< a prime below 46341; matters for families witness and dilated
+    double until_epsilon = 0;     ///< stop after the first step with epsilon <= this, input units
+    DilatedOptions dilated = {};  ///< family dilated: radius of the witnesses, pumping
+    double min_length = 0;        ///< stop where a plateau becomes this long, as Plateau::length() has it; 0 = off
+    double rho = 0;               ///< surface: drop triangles with radius-edge ratio above this; 0 = off
+    std::uint32_t field = 2;      ///< a prime below 46341; matters for families witness and dilated
     std::uint64_t memory_limit = std::uint64_t{3} << 30;  ///< bytes the run may take; it stops when they are used up
     /// A cloud of at least this many points ends where epsilon falls to its noise, see Progress::noise. Default: never.
     std::uint32_t noise_stop_from = std::numeric_limits<std::uint32_t>::max();
