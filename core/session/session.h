@@ -29,10 +29,10 @@ struct RunOptions {
     std::vector<std::uint32_t> nu;  ///< nu_0, nu_1, ...; empty: the family's default
     std::uint32_t first = 0;        ///< 0-based input index of the first landmark
     std::uint32_t max_steps = std::numeric_limits<std::uint32_t>::max();
-    double until_epsilon = 0;  ///< stop after the first step with epsilon <= this, input units
-    DilatedOptions dilated;    ///< family dilated: radius of the witnesses, pumping
-    double min_length = 0;     ///< stop where a plateau becomes this long, as Plateau::length() has it; 0 = off
-    double rho = 0;            ///< surface: drop triangles with radius-edge ratio above this; 0 = off
+    double until_epsilon = 0;     ///< stop after the first step with epsilon <= this, input units
+    DilatedOptions dilated = {};  ///< family dilated: radius of the witnesses, pumping
+    double min_length = 0;        ///< stop where a plateau becomes this long, as Plateau::length() has it; 0 = off
+    double rho = 0;               ///< surface: drop triangles with radius-edge ratio above this; 0 = off
     /// Families witness and dilated: a prime, at most 46337; Betti numbers over Z/field. Those over Z/2, or Z/3 where
     /// the field is 2, are counted beside them and tell torsion.
     std::uint32_t field = 2;
