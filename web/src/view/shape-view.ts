@@ -40,11 +40,6 @@ export interface ShownLayers {
   readonly faces: boolean;
 }
 
-export interface Viewpoint {
-  readonly from: Vector3;
-  readonly at: Vector3;
-}
-
 /** A plane across an axis; `place` goes from -1 to 1 through the cloud, what lies beyond it is cut away. */
 export interface Section {
   readonly axis: 0 | 1 | 2;
@@ -263,17 +258,6 @@ export class ShapeView {
     this.lookFrom(planar ? new Vector3(0, 0, 1) : new Vector3(0.45, -0.75, 0.62).normalize());
   }
 
-  /** From where the shape is looked at, and from how near; for a view of the same record. */
-  get viewpoint(): Viewpoint {
-    return { from: this.camera.position.clone(), at: this.controls.target.clone() };
-  }
-
-  set viewpoint({ from, at }: Viewpoint) {
-    this.camera.position.copy(from);
-    this.controls.target.copy(at);
-    this.controls.update();
-  }
-
   /** Whether the wheel brings the shape nearer; otherwise it scrolls what the shape is part of. */
   set wheelZooms(zooms: boolean) {
     this.controls.enableZoom = zooms;
@@ -282,6 +266,18 @@ export class ShapeView {
   /** The whole cloud from where the visitor has turned it. */
   frameAll(): void {
     this.lookFrom(this.camera.position.clone().sub(this.controls.target).normalize());
+  }
+
+  /** Where the eye is and what it looks at, in units of the frame. */
+  get pose(): readonly number[] {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  set pose([x = 0, y = 0, z = 1, ...target]: readonly number[]) {
+    this.camera.position.set(x, y, z);
+    this.controls.target.set(target[0] ?? 0, target[1] ?? 0, target[2] ?? 0);
+    this.controls.update();
+    this.requestRender();
   }
 
   /** Turns the shape by parts of a full turn; in the plane, moves it by parts of what is seen. */
