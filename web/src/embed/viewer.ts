@@ -2,7 +2,7 @@ import type { RemoteRun } from '../client/plateau-client.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord, StepSummary } from '../model/record.ts';
 import { DiagramView } from '../view/diagram-view.ts';
-import { ShapeView, type Viewpoint } from '../view/shape-view.ts';
+import { ShapeView } from '../view/shape-view.ts';
 import type { Failure } from '../worker/protocol.ts';
 import { Announcer } from '../app/announcer.ts';
 import { CardList } from '../app/card-list.ts';
@@ -52,7 +52,8 @@ export class Viewer {
   private readonly status: StatusLine;
   private readonly announcer: Announcer;
   private shape: ShapeView | undefined;
-  private viewpoint: Viewpoint | undefined;
+  /** From where the shape was looked at when it went out of view. */
+  private pose: readonly number[] | undefined;
   private feed: RunFeed | undefined;
   private cards: readonly PlateauCard[] = [];
   /** The cards are those of the whole run. */
@@ -156,7 +157,7 @@ export class Viewer {
     this.step = 0;
     this.arrivedAt = '';
     this.playsWhenSeen = false;
-    this.viewpoint = undefined;
+    this.pose = undefined;
     this.destination = destination;
     this.shape?.setRecord(feed.record);
     this.diagram.setRecord(feed.record, []);
@@ -247,7 +248,7 @@ export class Viewer {
     const wanted = this.inView && this.panels !== 'diagram' && !this.noGraphics;
     if (wanted === (this.shape !== undefined)) return;
     if (!wanted) {
-      this.viewpoint = this.shape?.viewpoint;
+      this.pose = this.shape?.pose;
       this.shape?.dispose();
       this.shape = undefined;
       return;
@@ -264,7 +265,7 @@ export class Viewer {
     this.shape.wheelZooms = this.parts.shape.matches(':focus');
     if (!this.record) return;
     this.shape.setRecord(this.record);
-    if (this.viewpoint) this.shape.viewpoint = this.viewpoint;
+    if (this.pose) this.shape.pose = this.pose;
     this.shape.sync();
     if (this.step > 0) this.shape.showStep(this.step);
   }

@@ -39,11 +39,6 @@ export interface ShownLayers {
   readonly faces: boolean;
 }
 
-export interface Viewpoint {
-  readonly from: Vector3;
-  readonly at: Vector3;
-}
-
 /** A plane across an axis; `place` goes from -1 to 1 through the cloud, what lies beyond it is cut away. */
 export interface Section {
   readonly axis: 0 | 1 | 2;
@@ -260,17 +255,6 @@ export class ShapeView {
     this.camera.up.set(0, planar ? 1 : 0, planar ? 0 : 1);
     this.controls.enableRotate = !planar;
     this.lookFrom(planar ? new Vector3(0, 0, 1) : new Vector3(0.45, -0.75, 0.62).normalize());
-  }
-
-  /** From where the shape is looked at, and from how near; for a view of the same record. */
-  get viewpoint(): Viewpoint {
-    return { from: this.camera.position.clone(), at: this.controls.target.clone() };
-  }
-
-  set viewpoint({ from, at }: Viewpoint) {
-    this.camera.position.copy(from);
-    this.controls.target.copy(at);
-    this.controls.update();
   }
 
   /** Whether the wheel brings the shape nearer; otherwise it scrolls what the shape is part of. */
