@@ -11,6 +11,7 @@ const emscripten = existsSync(privateEmscripten)
 /** What the built page contains, and where each says under which licence. */
 const bundled = [
   { name: 'three.js', folder: join(root, 'node_modules', 'three') },
+  { name: 'culori', folder: join(root, 'node_modules', 'culori') },
   { name: 'CGAL', folder: '/usr/share/doc/libcgal-dev' },
   { name: 'Boost', folder: /^libboost\d[\d.]*-dev$/ },
   { name: 'Eigen', folder: '/usr/share/doc/libeigen3-dev' },
@@ -33,7 +34,9 @@ export async function writeLicencesAndSource(folder) {
   const head = `Plateau is free software under the GNU General Public License, version 3 or later (the text follows).
 The source that this page was built from is in source.tar.gz beside this file. It contains the packages below.
 The bunny of the gallery is the Stanford Bunny of the Stanford 3D Scanning Repository (Stanford Computer Graphics
-Laboratory), by way of the npm package \`bunny\`, which its author put into the public domain.\n`;
+Laboratory), by way of the npm package \`bunny\`, which its author put into the public domain. Its colors are
+those of the xkcd color survey (Randall Munroe, public domain), by way of the npm package \`xkcd-colors\` (Jonathan
+D. B. Van Schenck, MIT).\n`;
   const texts = [`${head}\n${own}\n`, ...bundled.map(licenceText)];
   writeFileSync(join(folder, 'licences.txt'), texts.join('\n'));
   const sources = projectFiles(/./);

@@ -56,8 +56,9 @@ const shapesOfThePlane = ['circle-noise', 'nested-circles', 'corner-curve'];
 const sizeFor = (family: Family, size: number): number =>
   full ? Math.min(size, family === 'witness' ? largestWitness : Infinity) : quickSize;
 
+/** Those with options of their own are manifolds that have cases of their own. */
 function ofShapes(): Case[] {
-  return COMPUTED_SAMPLES.flatMap(({ shape, size: usual }) =>
+  return COMPUTED_SAMPLES.filter(({ options }) => !options).flatMap(({ shape, size: usual }) =>
     (shapesOfThePlane.includes(shape) ? inThePlane : inSpace).map((family): Case => {
       const size = sizeFor(family, usual);
       const text = plateau(['sample', shape, '--n', String(size)]);

@@ -140,6 +140,23 @@ test('what turns over on its way around is named, with its torsion', async ({ pa
   await expect(page.getByRole('status')).toContainText('β 1, 1, 1 · torsion: 1, 0, 0 over Z/3 · witness');
 });
 
+test('named hues: differences alone show the circle of hues', async ({ page }) => {
+  await openPaused(page, 'colors', 652);
+  await expect(page.locator('#metric')).toHaveValue('matrix');
+  const cards = page.locator('.cards button');
+  // The longest is what a dozen landmarks look like.
+  await expect(cards.nth(1)).toContainText('closed curve');
+  await expect(cards.nth(1)).toHaveAttribute('data-betti', '1,1,0');
+  await expect(page.getByText('Noise', { exact: true })).toBeHidden();
+});
+
+test('a Klein bottle of the gallery is named with its torsion', async ({ page }) => {
+  await openPaused(page, 'klein', FULL ? 20_000 : 6000);
+  await expect(root(page)).toHaveAttribute('data-family', 'dilated');
+  const card = page.getByRole('button', { name: /^Klein-bottle-like shape/ }).first();
+  await expect(card).toContainText('torsion: 1, 1, 0, 0 over Z/3');
+});
+
 test('other distances are a setting; each asks for what it needs, and undo leads back', async ({ page }) => {
   await openPaused(page, 'swiss-roll', 400);
   const family = root(page);

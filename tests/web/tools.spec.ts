@@ -99,11 +99,11 @@ test('the gallery by keyboard: every shape with a picture of its own, the bunny 
   await openPaused(page, 'torus', 60);
   await page.keyboard.press('g');
   const gallery = page.getByRole('dialog', { name: 'Gallery' });
-  await expect(gallery.locator('canvas[data-drawn]')).toHaveCount(11);
+  await expect(gallery.locator('canvas[data-drawn]')).toHaveCount(18);
   const pictures = await gallery
     .locator('canvas')
     .evaluateAll((canvases) => canvases.map((canvas) => (canvas as HTMLCanvasElement).toDataURL()));
-  expect(new Set(pictures).size).toBe(11);
+  expect(new Set(pictures).size).toBe(18);
   await page.keyboard.press('Escape');
   await expect(gallery).toBeHidden();
   await page.keyboard.press('g');

@@ -4,11 +4,16 @@ import { byId } from './dom.ts';
 import { SAMPLES, type Sample } from './samples.ts';
 import { cloudSource } from './source.ts';
 
+interface PreviewPoints {
+  readonly coordinates: Float64Array | Float32Array;
+  readonly dimension: number;
+}
+
 /** All shapes with a picture made of their own points; the pictures are drawn when they are first asked for. */
 export class Gallery {
   private readonly dialog = byId('gallery', HTMLDialogElement);
   private readonly canvases = new Map<Sample, HTMLCanvasElement>();
-  private readonly clouds = new Map<Sample, { coordinates: Float64Array; dimension: number }>();
+  private readonly clouds = new Map<Sample, PreviewPoints>();
 
   constructor(
     private readonly client: PlateauClient,
@@ -73,13 +78,13 @@ export class Gallery {
   }
 
   /** The points as a run is given them; the run itself is not wanted. */
-  private async pointsOf({
-    shape,
-    preview,
-  }: Sample): Promise<{ coordinates: Float64Array; dimension: number }> {
+  private async pointsOf({ shape, preview, options }: Sample): Promise<PreviewPoints> {
     const source = await cloudSource({ kind: 'sample', shape, size: preview });
-    const run = await this.client.open(source, { maxSteps: 1 });
+    const run = await this.client.open(source, { ...options, maxSteps: 1 });
     run.close().catch(() => undefined);
-    return run.opened;
+    const { coordinates, dimension, projection } = run.opened;
+    return projection
+      ? { coordinates: projection.coordinates, dimension: projection.axes }
+      : { coordinates, dimension };
   }
 }

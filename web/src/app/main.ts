@@ -29,8 +29,8 @@ function openFile(file: File): void {
   void page.open({ kind: 'file', file }, {}, 'answer');
 }
 
-function openSample({ shape, size }: Sample): void {
-  void page.open({ kind: 'sample', shape, size }, {}, 'answer');
+function openSample({ shape, size, options = {} }: Sample): void {
+  void page.open({ kind: 'sample', shape, size }, options, 'answer');
 }
 
 fileInput.addEventListener('change', () => {

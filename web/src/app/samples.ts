@@ -1,3 +1,5 @@
+import type { RunOptions } from '../worker/protocol.ts';
+
 /** The built-in shapes as the visitor chooses them; names and sizes are those of core/cloud/samples.cpp. */
 export interface Sample {
   readonly shape: string;
@@ -8,10 +10,16 @@ export interface Sample {
   readonly provenance: string;
   /** What to look for, in a sentence. */
   readonly lookFor: string;
+  /** How it is best looked at; absent: as any points. */
+  readonly options?: RunOptions;
 }
 
-/** The one shape that is not computed but measured. */
+/** Two that are not computed but measured. */
 export const BUNNY = 'bunny';
+export const COLORS = 'colors';
+
+/** In more dimensions a few hundred landmarks tell what there is to tell. */
+const MANIFOLD: RunOptions = { maxSteps: 400 };
 
 export const SAMPLES: readonly Sample[] = [
   {
@@ -102,7 +110,72 @@ export const SAMPLES: readonly Sample[] = [
     provenance: 'Even, a little shaken; a five-pointed star',
     lookFor: 'One loop with sharp corners: one piece and one loop all the same.',
   },
+  {
+    shape: 'mobius',
+    label: 'Möbius band',
+    size: 15000,
+    preview: 1200,
+    provenance: 'Even by area; a surface with a border',
+    lookFor: 'A band with half a turn: one piece and one loop. No closed surface would show it.',
+    options: { family: 'dilated', ...MANIFOLD },
+  },
+  {
+    shape: 'clifford',
+    label: 'Clifford torus',
+    size: 20000,
+    preview: 1200,
+    provenance: 'Random by area; in four dimensions',
+    lookFor: 'A flat torus that fits into no space of three dimensions: two loops and one enclosed space.',
+    options: MANIFOLD,
+  },
+  {
+    shape: 'klein',
+    label: 'Klein bottle',
+    size: 20000,
+    preview: 1200,
+    provenance: 'Random; in four dimensions',
+    lookFor: 'Over Z/2 the numbers of a torus, over Z/3 not: torsion tells them apart.',
+    options: MANIFOLD,
+  },
+  {
+    shape: 'rp2',
+    label: 'Projective plane',
+    size: 20000,
+    preview: 1200,
+    provenance: 'Random; in four dimensions',
+    lookFor: 'A loop and a void over Z/2, neither over Z/3: it turns over on its way around.',
+    options: MANIFOLD,
+  },
+  {
+    shape: 's3',
+    label: 'Three-sphere',
+    size: 20000,
+    preview: 1200,
+    provenance: 'Random; in four dimensions',
+    lookFor: 'No loop and no void, but what encloses four dimensions: β₃ is 1.',
+    options: MANIFOLD,
+  },
+  {
+    shape: 'two-scales',
+    label: 'Circle and torus',
+    size: 20000,
+    preview: 1600,
+    provenance: 'Random; in four dimensions',
+    lookFor: 'Two answers: from afar a circle, closer by the torus that winds along it.',
+    options: MANIFOLD,
+  },
+  {
+    shape: COLORS,
+    label: 'Named hues',
+    size: 652,
+    preview: 652,
+    provenance: 'The xkcd survey; differences by CIEDE2000, no coordinates',
+    lookFor:
+      'The circle of hues, from differences alone: one piece and one loop while ε is between 18 and 8.',
+    // Smaller differences than 1 nobody sees.
+    options: { metric: 'matrix', nu: [1, 5, 6, 6], untilEpsilon: 1 },
+  },
 ];
 
-/** The shapes that the module computes: all but the measured one. */
-export const COMPUTED_SAMPLES = SAMPLES.filter(({ shape }) => shape !== BUNNY);
+/** The shapes that the module computes: all but the measured ones. */
+export const COMPUTED_SAMPLES = SAMPLES.filter(({ shape }) => shape !== BUNNY && shape !== COLORS);

@@ -2,6 +2,7 @@ import type { Opened, RunOptions } from '../worker/protocol.ts';
 import { byId } from './dom.ts';
 import { parseList, positive, wholeFrom } from './entries.ts';
 import { MetricSettings } from './metric-settings.ts';
+import { COLORS } from './samples.ts';
 import { isFamily, type SourceChoice } from './source.ts';
 
 /** What a form of settings asks for. */
@@ -72,7 +73,8 @@ export class SettingsForm {
     this.maxSteps.value = text(options.maxSteps);
     this.until.value = text(options.untilEpsilon);
     const sampled = choice.kind === 'sample';
-    byId('size-row', HTMLElement).hidden = byId('noise-row', HTMLElement).hidden = !sampled;
+    byId('size-row', HTMLElement).hidden = !sampled;
+    byId('noise-row', HTMLElement).hidden = !sampled || choice.shape === COLORS;
     this.size.value = sampled ? String(choice.size) : '';
     this.noise.value = sampled ? text(choice.noise) : '';
   }

@@ -1,6 +1,6 @@
 import type { CloudSource, Family, RunOptions } from '../worker/protocol.ts';
 import { SCAN_POINTS } from '../model/forecast.ts';
-import { BUNNY, SAMPLES } from './samples.ts';
+import { BUNNY, COLORS, SAMPLES } from './samples.ts';
 
 /** What the visitor chose to look at. A file is kept, not its bytes: it is read anew for other settings. */
 export type SourceChoice =
@@ -47,7 +47,10 @@ export function fileStem(choice: SourceChoice): string {
 }
 
 export async function cloudSource(choice: SourceChoice): Promise<CloudSource> {
-  if (choice.kind === 'sample') return choice.shape === BUNNY ? bunnySource(choice) : choice;
+  if (choice.kind === 'sample') {
+    if (choice.shape === BUNNY) return bunnySource(choice);
+    return choice.shape === COLORS ? colorsSource(choice) : choice;
+  }
   const { file, columns, newOptions } = choice;
   let bytes: ArrayBuffer;
   try {
@@ -72,6 +75,13 @@ async function bunnySource({ size, noise = 0 }: { size: number; noise?: number }
   return { kind: 'file', name: 'bunny.xyz', bytes: new TextEncoder().encode(bunnyText(size, noise)).buffer };
 }
 
+/** Distances, loaded like the bunny. */
+async function colorsSource({ size }: { size: number }): Promise<CloudSource> {
+  const { colorDistances } = await import('../model/color-distances.ts');
+  const text = await colorDistances(size);
+  return { kind: 'file', name: 'colors.csv', bytes: new TextEncoder().encode(text).buffer };
+}
+
 const FAMILIES: readonly string[] = [
   'witness',
   'delaunay',
@@ -90,7 +100,7 @@ export function startFrom(query: string): Start {
   const sample = SAMPLES.find(({ shape }) => shape === asked.get('sample'));
   const size = Number(asked.get('n'));
   const family = asked.get('family') ?? '';
-  const options = isFamily(family) ? { family } : {};
+  const options = isFamily(family) ? { family } : (sample?.options ?? {});
   const megabytes = Number(asked.get('memory'));
   const memoryLimit = megabytes > 0 ? megabytes * 2 ** 20 : undefined;
   if (asked.get('sample') === 'none') return { choice: undefined, options, memoryLimit };

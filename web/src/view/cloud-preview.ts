@@ -13,7 +13,11 @@ const PLANE = [
 ] as const;
 
 /** Draws points into a small canvas, the nearer ones darker; its size is that of its box on the page. */
-export function previewOf(canvas: HTMLCanvasElement, coordinates: Float64Array, dimension: number): void {
+export function previewOf(
+  canvas: HTMLCanvasElement,
+  coordinates: Float64Array | Float32Array,
+  dimension: number,
+): void {
   const context = canvas.getContext('2d');
   const { clientWidth: width, clientHeight: height } = canvas;
   if (!context || width === 0 || height === 0) return;
