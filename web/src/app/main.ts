@@ -9,6 +9,8 @@ import './sheets.css';
 import './phone.css';
 import { byId } from './dom.ts';
 import { parseList } from './entries.ts';
+import { openLink } from './open-link.ts';
+import { ShareSheet } from './share-sheet.ts';
 import { offerExports } from './exports.ts';
 import { acceptDrops } from './file-drop.ts';
 import { Gallery } from './gallery.ts';
@@ -70,10 +72,12 @@ offerExports(page);
 
 const gallery = new Gallery(page.client, openSample);
 const help = new HelpSheet();
+const share = new ShareSheet(page);
 closeSheets();
 explainTerms(byId('plateau', HTMLElement));
 byId('open-gallery', HTMLButtonElement).addEventListener('click', () => gallery.open());
 byId('empty-gallery', HTMLButtonElement).addEventListener('click', () => gallery.open());
+byId('open-share', HTMLButtonElement).addEventListener('click', () => void share.open());
 byId('open-help', HTMLButtonElement).addEventListener('click', () => help.open());
 byId('undo', HTMLButtonElement).addEventListener('click', () => page.travel(-1));
 byId('redo', HTMLButtonElement).addEventListener('click', () => page.travel(1));
@@ -113,6 +117,7 @@ listenToKeys({
     d: () => page.tools.toggleTurning(),
     l: turnAxis,
     f: () => page.shape?.fit(),
+    s: () => void share.open(),
     '?': () => help.open(),
   },
 });
@@ -121,7 +126,10 @@ matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => page
 
 const { choice, options, memoryLimit } = startFrom(location.search);
 page.memoryLimit = memoryLimit;
-if (!choice) page.showEmpty();
-else
-  void page.open(choice, options, matchMedia('(prefers-reduced-motion: reduce)').matches ? 'wait' : 'play');
+if (!(await openLink(page))) {
+  if (!choice) page.showEmpty();
+  else
+    void page.open(choice, options, matchMedia('(prefers-reduced-motion: reduce)').matches ? 'wait' : 'play');
+}
+addEventListener('hashchange', () => void openLink(page));
 workOffline();

@@ -1,4 +1,5 @@
 import type { RunOptions, SavedSession } from '../worker/protocol.ts';
+import type { ViewState } from '../model/view-state.ts';
 import type { SourceChoice } from './source.ts';
 
 /** What happens to the playhead when a cloud is opened. */
@@ -16,6 +17,13 @@ export type Arrival =
 export interface Opening {
   readonly choice: SourceChoice;
   readonly options: RunOptions;
+}
+
+/** What is shown of it, and how it is looked at. */
+export interface Restored {
+  /** 0: where the answer is. */
+  readonly step: number;
+  readonly view: ViewState;
 }
 
 /** A session that is opened again with other settings is its points. */

@@ -5,14 +5,14 @@ import { grouped } from '../model/numbers.ts';
 import { stepAt } from '../model/scale-axis.ts';
 import { viewOf, viewText } from '../model/view-state.ts';
 import { DiagramView } from '../view/diagram-view.ts';
-import type { ExportFormat, Failure, RunOptions, SavedSession } from '../worker/protocol.ts';
+import type { ExportFormat, Failure, RunOptions } from '../worker/protocol.ts';
 import { Announcer } from './announcer.ts';
 import { CardList } from './card-list.ts';
 import { byId, showLegend } from './dom.ts';
 import { EarlierRun, sameShape, type ShownRun } from './earlier-run.ts';
 import { Film } from './film.ts';
 import { Notices } from './notices.ts';
-import { openingOf, type Arrival, type Opening } from './opening.ts';
+import { openingOf, type Arrival, type Opening, type Restored } from './opening.ts';
 import { pageClient } from './page-client.ts';
 import { RunFeed } from './run-feed.ts';
 import { RunNotes } from './run-notes.ts';
@@ -117,7 +117,13 @@ export class Page {
   }
 
   /** Opens another source. What is shown stays until the new one can be watched, and for good if it fails. */
-  async open(choice: SourceChoice, options: RunOptions, arrival: Arrival, travelling = false): Promise<void> {
+  async open(
+    choice: SourceChoice,
+    options: RunOptions,
+    arrival: Arrival,
+    travelling = false,
+    linked?: Restored,
+  ): Promise<void> {
     this.opening?.abort();
     const opening = (this.opening = new AbortController());
     const shown = this.feed;
@@ -138,7 +144,8 @@ export class Page {
       const { session } = run.opened;
       const opened = session ? openingOf(choice, session) : { choice, options };
       this.show(new RunFeed(run, this.listener()), opened, session ? 'return' : arrival, begin);
-      if (session) this.restore(session);
+      const restored = session ? { step: session.step, view: viewOf(session.view) } : linked;
+      if (restored) this.restore(restored);
       this.settings.show(opened.choice, opened.options, run.opened);
       if (!travelling) this.history.add(opened);
       this.shownPlace = this.history.place;
@@ -247,7 +254,7 @@ export class Page {
   }
 
   /** The run that is shown. */
-  private shownRun(): ShownRun | undefined {
+  shownRun(): ShownRun | undefined {
     const { choice, options, feed, cards } = this;
     return choice && feed
       ? { choice, options, opened: feed.run.opened, record: feed.record, cards }
@@ -286,9 +293,8 @@ export class Page {
     feed.start();
   }
 
-  /** The step and the view of a session; the run has just begun. */
-  private restore({ step, view }: SavedSession): void {
-    const { axis, pose } = viewOf(view);
+  /** The step and the view of a session or a link; the run has just begun. */
+  private restore({ step, view: { axis, pose } }: Restored): void {
     if (step > 0) this.returnTo = (record) => Math.min(step, record.stepCount);
     this.diagram.setAxis(axis);
     byId('axis', HTMLSelectElement).value = axis;
