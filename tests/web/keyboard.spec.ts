@@ -269,6 +269,7 @@ test('the question for columns, and its error, by keyboard alone', async ({ page
 for (const [sheet, key, opener] of [
   ['Gallery', 'g', 'Gallery'],
   ['Help', '?', 'Help'],
+  ['Share', 's', 'Share'],
 ] as const) {
   test(`the sheet ${sheet}: reached, closed and left by keyboard alone`, async ({ page }) => {
     await openPaused(page, 'torus', 60);
@@ -318,6 +319,7 @@ const KEYS: Readonly<
   C: { press: 'c', single: true, seen: 'color-by' },
   X: { press: 'x', single: true, seen: 'section' },
   L: { press: 'l', single: true, seen: 'axis' },
+  S: { press: 's', single: true, seen: 'share' },
   '?': { press: '?', single: true, seen: 'help' },
 };
 /** These show in the chooser of the browser and in the picture, and have tests of their own. */

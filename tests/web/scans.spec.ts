@@ -211,8 +211,9 @@ test('a scan that does not fit is opened, says how far it will go, and keeps wha
   page,
 }) => {
   test.setTimeout(FULL ? 3_000_000 : 300_000);
-  const size = FULL ? 1_000_000 : 20_000;
-  const [megabytes, words] = FULL ? [1536, '1.5 GB'] : [40, '40 MB'];
+  // Large enough to be seen while it runs, also on a fast machine.
+  const size = FULL ? 1_000_000 : 40_000;
+  const [megabytes, words] = FULL ? [1536, '1.5 GB'] : [120, '120 MB'];
   await page.goto(`./?sample=none&memory=${megabytes}`);
   const { read, drawn } = await dropScan(page, torusFile(size));
   console.log(

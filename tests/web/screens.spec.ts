@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test';
+import { SAMPLES } from '../../web/src/app/samples.ts';
 import { drop, expect, root, test } from './page.ts';
 import { torusFile } from './scan-files.ts';
 
@@ -52,7 +53,7 @@ for (const [device, viewport] of Object.entries(SIZES)) {
       await take('help');
       await page.getByRole('button', { name: 'Close the help' }).click();
       await page.getByRole('button', { name: 'Gallery', exact: true }).click();
-      await expect(page.locator('.shape-card canvas[data-drawn]')).toHaveCount(11);
+      await expect(page.locator('.shape-card canvas[data-drawn]')).toHaveCount(SAMPLES.length);
       await take('gallery');
       await page.goto('./?sample=none');
       await expect(root(page)).toHaveAttribute('data-run-state', 'empty');

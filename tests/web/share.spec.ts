@@ -55,7 +55,7 @@ test('a shape: link and command give the same hash, the link the same step and v
   expect(await state(other, 'hash')).toBe(hash);
   expect(await state(other, 'step')).toBe('77');
   await expect(other.getByLabel('Axis of 1/ε')).toHaveValue('linear');
-  await expect(other.getByRole('textbox', { name: 'ν' })).toHaveValue('1, 5, 6, 4');
+  await expect(other.locator('#nu')).toHaveValue('1, 5, 6, 4');
   // A link to the same page is followed without loading it again.
   await other.evaluate(() => (location.hash = '#v=1&shape=circle-noise&n=120'));
   await shown(other, 'circle-noise');
@@ -67,7 +67,7 @@ test('dropped points travel in the link, rounded, and it says so', async ({ page
   await drop(page, 'mine.xyz', torusText(400));
   await shown(page, 'mine.xyz');
   const link = await linkOf(page);
-  await expect(page.getByText(/400 points travel inside it, rounded to steps of 0\.0000\d+/)).toBeVisible();
+  await expect(page.getByText(/400 points travel inside it, rounded to steps of [\d.]+/)).toBeVisible();
   expect(link.length).toBeLessThan(32_768);
 
   const other = await opened(browser, link);

@@ -1,3 +1,4 @@
+import { SAMPLES } from '../../web/src/app/samples.ts';
 import { drop, expect, openPaused, openSample, root, shown, state, test, torusText } from './page.ts';
 
 test.describe('what is drawn', () => {
@@ -99,11 +100,11 @@ test('the gallery by keyboard: every shape with a picture of its own, the bunny 
   await openPaused(page, 'torus', 60);
   await page.keyboard.press('g');
   const gallery = page.getByRole('dialog', { name: 'Gallery' });
-  await expect(gallery.locator('canvas[data-drawn]')).toHaveCount(18);
+  await expect(gallery.locator('canvas[data-drawn]')).toHaveCount(SAMPLES.length);
   const pictures = await gallery
     .locator('canvas')
     .evaluateAll((canvases) => canvases.map((canvas) => (canvas as HTMLCanvasElement).toDataURL()));
-  expect(new Set(pictures).size).toBe(18);
+  expect(new Set(pictures).size).toBe(SAMPLES.length);
   await page.keyboard.press('Escape');
   await expect(gallery).toBeHidden();
   await page.keyboard.press('g');
