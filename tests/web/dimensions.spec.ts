@@ -2,8 +2,10 @@
 import { createWriteStream } from 'node:fs';
 import { once } from 'node:events';
 import type { Page } from '@playwright/test';
+import type { ShownFamily } from '../../web/src/worker/protocol.ts';
 import { drop, expect, openPaused, root, shown, state, test } from './page.ts';
 
+const SHOWN_FAMILIES: readonly ShownFamily[] = ['witness', 'delaunay', 'surface', 'dilated'];
 const FULL = process.env['PLATEAU_FULL'] === '1';
 
 /** Points on the Clifford torus in four dimensions, from a fixed sequence. */
@@ -155,6 +157,12 @@ test('a Klein bottle of the gallery is named with its torsion', async ({ page })
   await expect(root(page)).toHaveAttribute('data-family', 'dilated');
   const card = page.getByRole('button', { name: /^Klein-bottle-like shape/ }).first();
   await expect(card).toContainText('torsion: 1, 1, 0, 0 over Z/3');
+  // Every family that can be shown has its band in the diagram.
+  const bands = await page.evaluate((families) => {
+    const style = getComputedStyle(document.body);
+    return families.map((family) => style.getPropertyValue(`--band-${family}`).trim());
+  }, SHOWN_FAMILIES);
+  for (const band of bands) expect(band).toMatch(/^#[0-9a-f]{6}$/);
 });
 
 test('other distances are a setting; each asks for what it needs, and undo leads back', async ({ page }) => {
