@@ -136,6 +136,25 @@ test('without WebGL the page says so, and the rest works', async ({ page }) => {
   await expect(page.getByRole('status')).toContainText('β 1, 2, 1');
 });
 
+test('more points than the card has room for are computed without a picture', async ({ page }) => {
+  await page.addInitScript(() => {
+    const original = Reflect.get(WebGL2RenderingContext.prototype, 'getParameter') as (
+      name: number,
+    ) => unknown;
+    Object.defineProperty(WebGL2RenderingContext.prototype, 'getParameter', {
+      value(this: WebGL2RenderingContext, name: number) {
+        return name === this.MAX_TEXTURE_SIZE ? 1 : original.call(this, name);
+      },
+    });
+  });
+  await openSample(page, 'torus', 2100);
+  await expect(page.getByText('more points than this graphics card has room for')).toBeVisible();
+  await page.locator('.cards button[data-betti="1,2,1"]').first().click();
+  await expect(page.getByRole('status')).toContainText('β 1, 2, 1');
+  await openSample(page, 'torus', 300);
+  await expect(page.getByText('more points than this graphics card has room for')).toBeHidden();
+});
+
 test('nothing sticks out of a phone', async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await openPaused(page, 'torus', 120);

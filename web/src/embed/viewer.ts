@@ -2,7 +2,7 @@ import type { RemoteRun } from '../client/plateau-client.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord, StepSummary } from '../model/record.ts';
 import { DiagramView } from '../view/diagram-view.ts';
-import { ShapeView } from '../view/shape-view.ts';
+import { ShapeView, type ShapeTrouble } from '../view/shape-view.ts';
 import type { Failure } from '../worker/protocol.ts';
 import { Announcer } from '../app/announcer.ts';
 import { CardList } from '../app/card-list.ts';
@@ -19,8 +19,11 @@ import { listenToShapeKeys } from './shape-keys.ts';
 const PICTURES_EVERY_MS = 120;
 const NO_SHAPE =
   'The shape needs WebGL 2, which this browser does not offer. The diagram and the plateaus work without it.';
-const LOST_SHAPE =
-  'The browser has taken the graphics card away. The shape comes back when it returns it; the diagram goes on.';
+const NO_PICTURE: Readonly<Record<ShapeTrouble, string>> = {
+  lost: 'The browser has taken the graphics card away. The shape comes back when it returns it; the diagram goes on.',
+  crowded:
+    'These are more points than this graphics card has room for. The diagram and the plateaus work without it.',
+};
 
 /** Where the playhead goes when a run is shown. */
 export type Destination =
@@ -254,8 +257,9 @@ export class Viewer {
       return;
     }
     try {
-      const onLost = (lost: boolean): void => setNotice(this.parts.noShape, lost ? LOST_SHAPE : '');
-      this.shape = new ShapeView(this.parts.shape, () => undefined, onLost);
+      const onTrouble = (trouble: ShapeTrouble | undefined): void =>
+        setNotice(this.parts.noShape, trouble ? NO_PICTURE[trouble] : '');
+      this.shape = new ShapeView(this.parts.shape, () => undefined, onTrouble);
     } catch {
       this.noGraphics = true;
       setNotice(this.parts.noShape, NO_SHAPE);

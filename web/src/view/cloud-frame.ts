@@ -2,10 +2,13 @@ import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
 import { FRAME_WIDTH } from '../worker/frame.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
 
+export function textureRows(positions: Float32Array): number {
+  return positions.length / (4 * FRAME_WIDTH);
+}
+
 /** Four numbers a point, in whole rows of points, as a texture. */
 export function frameTexture(positions: Float32Array): DataTexture {
-  const rows = positions.length / (4 * FRAME_WIDTH);
-  const texture = new DataTexture(positions, FRAME_WIDTH, rows, RGBAFormat, FloatType);
+  const texture = new DataTexture(positions, FRAME_WIDTH, textureRows(positions), RGBAFormat, FloatType);
   texture.minFilter = texture.magFilter = NearestFilter;
   texture.needsUpdate = true;
   return texture;

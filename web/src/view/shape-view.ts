@@ -14,7 +14,7 @@ import { FIRST_AXES, rowsOf } from '../model/dimensions.ts';
 import type { RunRecord } from '../model/record.ts';
 import { FRAME_WIDTH } from '../worker/frame.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
-import { distanceFor, frameTexture } from './cloud-frame.ts';
+import { distanceFor, frameTexture, textureRows } from './cloud-frame.ts';
 import { GpuPace } from './gpu-pace.ts';
 import { orbit } from './orbit.ts';
 import { LifespanLayer } from './lifespan-layer.ts';
@@ -45,6 +45,9 @@ export interface Section {
   readonly place: number;
 }
 
+/** Why there is no picture: the browser has taken the card away, or the card has no textures for so many points. */
+export type ShapeTrouble = 'lost' | 'crowded';
+
 /** Draws a record at a step: orbit with the pointer, drawn only when something changed. Throws without WebGL 2. */
 export class ShapeView {
   private readonly renderer: WebGLRenderer;
@@ -73,13 +76,13 @@ export class ShapeView {
   private shown: ShownLayers = { witnesses: true, landmarks: true, edges: true, faces: true };
 
   /**
-   * `onView` is told the units of the input that a pixel shows in the middle of the shape, `onLost` that the browser
-   * has taken the graphics card away or given it back.
+   * `onView` is told the units of the input that a pixel shows in the middle of the shape, `onTrouble` why there
+   * is no picture, or that there is one again.
    */
   constructor(
     private readonly container: HTMLElement,
     private readonly onView: (unitsPerPixel: number) => void,
-    onLost: (lost: boolean) => void,
+    private readonly onTrouble: (trouble: ShapeTrouble | undefined) => void,
   ) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
     this.materials = createMaterials(container);
@@ -87,7 +90,7 @@ export class ShapeView {
     const changed = (lost: boolean): void => {
       this.lost = lost;
       this.pace.dispose();
-      onLost(lost);
+      onTrouble(lost ? 'lost' : undefined);
       this.requestRender();
     };
     const { signal } = this.listening;
@@ -130,9 +133,14 @@ export class ShapeView {
   /** Shows another record from its first step on, from a fresh view point. */
   setRecord(record: RunRecord): void {
     this.clear();
+    const { axes, positions, beyond } = record.frame;
+    const crowded = textureRows(positions) > this.renderer.capabilities.maxTextureSize;
+    if (!this.lost) this.onTrouble(crowded ? 'crowded' : undefined);
+    this.record = this.frame = undefined;
+    this.requestRender();
+    if (crowded) return;
     this.record = record;
     this.frame = record.frame;
-    const { axes, positions, beyond } = record.frame;
     const { shared } = this.materials;
     this.textures = [frameTexture(positions)];
     if (beyond.length > 0) this.textures.push(frameTexture(beyond));
