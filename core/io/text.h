@@ -38,8 +38,7 @@ struct ParsedField {
     double value = 0;
 };
 
-/// Reads a decimal number that fills the whole field, correctly rounded. Precondition: the byte after the field can be
-/// read and is no part of a number (a separator, a line end or the end of a std::string).
+/// Reads a decimal number that fills the whole field, correctly rounded.
 ParsedField parse_field(std::string_view field);
 
 /// "nan" in any case and with any sign, also as "nan(ind)": a number that is missing, unlike one out of range.

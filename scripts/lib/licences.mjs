@@ -14,6 +14,7 @@ const bundled = [
   { name: 'culori', folder: join(root, 'node_modules', 'culori') },
   { name: 'CGAL', folder: '/usr/share/doc/libcgal-dev' },
   { name: 'Boost', folder: /^libboost\d[\d.]*-dev$/ },
+  { name: 'fast_float', folder: '/usr/share/doc/libfast-float-dev' },
   { name: 'Eigen', folder: '/usr/share/doc/libeigen3-dev' },
   { name: 'Emscripten runtime and C++ library', folder: emscripten },
 ];

@@ -9,6 +9,7 @@ const headers = [
   ['libnanoflann-dev', include('nanoflann.hpp')],
   ['libgudhi-dev', include('gudhi/Simplex_tree.h')],
   ['libcli11-dev', include('CLI/CLI.hpp')],
+  ['libfast-float-dev', include('fast_float/fast_float.h')],
   ['libtinyobjloader-dev', include('tiny_obj_loader.h')],
 ];
 const builder = [
