@@ -8,9 +8,9 @@ constexpr std::uint32_t kNone = DelaunayLink::kNone;
 
 void DelaunayFaces::update(Step step, const Delaunay& delaunay, const DelaunayChange& change, const DelaunayLink& link,
                            const std::vector<SimplexTable>& tables) {
-    faces_.resize(delaunay.cell_capacity());
-    if (tables.size() > 1) facet_.resize(tables[1].size());
-    if (tables.size() > 2) cell_.resize(tables[2].size());
+    faces_.grow(delaunay.cell_capacity());
+    if (tables.size() > 1) facet_.grow(tables[1].size());
+    if (tables.size() > 2) cell_.grow(tables[2].size());
 
     if (change.dimension < 3 || change.dimension_rose) {
         update_by_vertices(step, delaunay, change, link);

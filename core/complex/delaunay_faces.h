@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/paged_table.h"
 #include "base/prefetch.h"
 #include "complex/delaunay_link.h"
 #include "complex/simplex_table.h"
@@ -64,9 +65,9 @@ private:
         SimplexIndex tetrahedron = kNoSimplex;
     };
 
-    std::vector<Faces> faces_;  // by cell
-    std::vector<Facet> facet_;  // by triangle
-    std::vector<CellId> cell_;  // by tetrahedron
+    PagedTable<Faces> faces_;  // by cell
+    PagedTable<Facet> facet_;  // by triangle
+    PagedTable<CellId> cell_;  // by tetrahedron
 };
 
 }  // namespace plateau

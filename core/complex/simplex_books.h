@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/paged_table.h"
 #include "complex/simplex_table.h"
 
 namespace plateau {
@@ -40,8 +41,8 @@ private:
     static constexpr std::uint32_t kEnd = 0xFFFFFFFFu;  // of an encoded list
     struct Book {                                       // one a dimension
         std::vector<SimplexIndex> facets;               // k+1 a simplex, from dimension 2
-        std::vector<std::uint32_t> first_coface;        // encoded links into the book of dimension k+1
-        std::vector<std::uint32_t> next_coface;         // one a facet link
+        PagedTable<std::uint32_t> first_coface;         // encoded links into the book of dimension k+1
+        PagedTable<std::uint32_t> next_coface;          // one a facet link
     };
 
     std::vector<Book> books_;

@@ -24,7 +24,7 @@ bool holds_all(std::span<const Step> list, std::span<const Step> vertices) {
 }  // namespace
 
 WatchedWitnesses::WatchedWitnesses(std::size_t track_count, std::size_t dimension_count, std::uint32_t witness_count)
-    : watches_(track_count, std::vector<std::vector<Watch>>(dimension_count)),
+    : watches_(track_count, std::vector<PagedTable<Watch>>(dimension_count)),
       first_(track_count, std::vector<std::uint32_t>(witness_count, kEnd)) {}
 
 void WatchedWitnesses::begin_step(std::span<const ListEntry> entries) {
@@ -33,7 +33,7 @@ void WatchedWitnesses::begin_step(std::span<const ListEntry> entries) {
 }
 
 void WatchedWitnesses::add(int k) {
-    for (auto& track : watches_) track[static_cast<std::size_t>(k - 1)].emplace_back();
+    for (auto& track : watches_) track[static_cast<std::size_t>(k - 1)].push_back({});
 }
 
 void WatchedWitnesses::watch(int track, int k, SimplexIndex simplex, Step birth, std::uint32_t place) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/paged_table.h"
 #include "complex/simplex_table.h"
 #include "landmarks/landmark_lists.h"
 
@@ -70,14 +71,14 @@ private:
         std::uint32_t place = kDead;  // of the witness among the entries of the birth step
     };
 
-    std::vector<Watch>& watch_of(int track, int k) {
+    PagedTable<Watch>& watch_of(int track, int k) {
         return watches_[static_cast<std::size_t>(track)][static_cast<std::size_t>(k - 1)];
     }
 
-    std::vector<std::vector<std::vector<Watch>>> watches_;  // [track][k-1][simplex]
-    std::vector<std::vector<std::uint32_t>> first_;         // [track][witness], encoded
-    std::vector<WitnessId> entered_;                        // of all steps, in step order
-    std::vector<std::size_t> first_entered_{0, 0};          // [s] = first place of step s
+    std::vector<std::vector<PagedTable<Watch>>> watches_;  // [track][k-1][simplex]
+    std::vector<std::vector<std::uint32_t>> first_;        // [track][witness], encoded
+    std::vector<WitnessId> entered_;                       // of all steps, in step order
+    std::vector<std::size_t> first_entered_{0, 0};         // [s] = first place of step s
 };
 
 }  // namespace plateau

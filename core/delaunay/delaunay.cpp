@@ -35,7 +35,7 @@ using CgalDelaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_
 /// Listens to the one conflict search of an insertion: the cells it is told of are those that die.
 struct ConflictListener {
     std::vector<CellId>* died;
-    const std::vector<DelaunayCell>* mirror;
+    const PagedTable<DelaunayCell>* mirror;
 
     template <class Iterator>
     void process_cells_in_conflict(Iterator begin, Iterator end) {
@@ -44,7 +44,7 @@ struct ConflictListener {
             prefetch(&(*mirror)[died->back()]);
             for (int i = 0; i < 4; ++i) {
                 const CgalDelaunay::Cell_handle neighbor = (*begin)->neighbor(i);
-                if (neighbor != CgalDelaunay::Cell_handle()) prefetch(mirror->data() + neighbor->info().id);
+                if (neighbor != CgalDelaunay::Cell_handle()) prefetch(&(*mirror)[neighbor->info().id]);
             }
         }
     }
@@ -63,7 +63,7 @@ struct Delaunay::Triangulation : CgalDelaunay {
 
     /// Inserts p and collects the ids of the dying cells and the handles of the new ones; true if the dimension rose.
     bool insert_point(const Point& p, Cell_handle start, std::vector<CellId>& died,
-                      const std::vector<DelaunayCell>& mirror) {
+                      const PagedTable<DelaunayCell>& mirror) {
         Locate_type type = OUTSIDE_AFFINE_HULL;
         int li = 0;
         int lj = 0;
@@ -143,7 +143,7 @@ Result<const DelaunayChange*> Delaunay::insert(std::uint32_t step, std::span<con
 
 CellId Delaunay::take_slot() {
     if (free_.empty()) {
-        cells_.emplace_back();
+        cells_.push_back({});
         return static_cast<CellId>(cells_.size() - 1);
     }
     const CellId id = free_.back();

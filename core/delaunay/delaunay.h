@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/paged_table.h"
 #include "base/result.h"
 
 namespace plateau {
@@ -79,7 +80,7 @@ private:
 
     std::unique_ptr<Triangulation> triangulation_;
     std::uint32_t ambient_dimension_;
-    std::vector<DelaunayCell> cells_;
+    PagedTable<DelaunayCell> cells_;
     std::vector<CellId> free_;
     std::uint32_t cell_count_ = 0;
     DelaunayChange change_;

@@ -20,7 +20,7 @@ void OuterRegion::begin(const Context& context, bool all) {
     flipped_.clear();
     stack_.clear();
     suspects_.clear();
-    cells_.resize(context.delaunay.cell_capacity());
+    cells_.grow(context.delaunay.cell_capacity());
     search_.resize(context.delaunay.cell_capacity() + std::size_t{1});
     const bool may_cut_off = !all && !context.peeling.entered().empty();
     if (may_cut_off) suspect_around_died(context);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/paged_table.h"
 #include "base/part_search.h"
 #include "base/prefetch.h"
 #include "base/slice.h"
@@ -62,7 +63,7 @@ private:
     void close(CellId cell, int index, bool closed);
     void set_outer(CellId cell, bool outer, Step step);
 
-    std::vector<Cell> cells_;  // by cell of D(L)
+    PagedTable<Cell> cells_;  // by cell of D(L)
     PartSearch search_;
     std::vector<Node> suspects_;  // outer cells that an open facet led out of
     std::vector<CellId> stack_;   // outer cells that may open to others

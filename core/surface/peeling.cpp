@@ -33,10 +33,10 @@ void Peeling::begin(Step step, bool all, const Context& context) {
     now_ = step;
     touched_.clear();
     first_.resize(context.edges.size(), kEnd);
-    blunt_.resize(context.edges.size(), {kNoSimplex, kNoSimplex});
+    blunt_.grow(context.edges.size());
     const std::size_t count = context.triangles.size();
     states_.resize(count);
-    next_.resize(3 * count, kEnd);
+    next_.grow(3 * count);
 
     std::vector<SimplexIndex> born;
     const SimplexIndex first_new = all ? 0 : context.triangles.first_of_step[step];

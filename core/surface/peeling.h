@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/paged_table.h"
 #include "base/slice.h"
 #include "complex/nu_complex.h"
 #include "complex/simplex_table.h"
@@ -115,11 +116,12 @@ private:
     void report_changes();
 
     double rho_;
-    std::vector<State> states_;         // by triangle
-    std::vector<std::uint32_t> first_;  // by edge: list of links, link = 3 * triangle + corner off the edge
-    std::vector<std::uint32_t> next_;   // by link
-    std::vector<std::array<SimplexIndex, 2>> blunt_;  // by edge: two triangles that last kept it from being sharp
-    Round last_round_ = 0;                            // the largest finite one
+    std::vector<State> states_;             // by triangle
+    std::vector<std::uint32_t> first_;      // by edge: list of links, link = 3 * triangle + corner off the edge
+    PagedTable<std::uint32_t> next_{kEnd};  // by link
+    PagedTable<std::array<SimplexIndex, 2>> blunt_{
+        {kNoSimplex, kNoSimplex}};  // by edge: two triangles that last kept it from being sharp
+    Round last_round_ = 0;          // the largest finite one
     std::vector<SimplexIndex> entered_, left_;
     std::vector<SimplexIndex> touched_;
     std::vector<SimplexIndex> loose_;  // edges that have lost a triangle of K: some may be sharp now
