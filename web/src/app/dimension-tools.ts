@@ -16,6 +16,7 @@ export class DimensionTools {
   private choice: AxisChoice = FIRST_AXES;
   private angle = 0;
   private before: number | undefined;
+  private request = 0;
 
   constructor() {
     this.selects.forEach((select, i) => {
@@ -69,8 +70,10 @@ export class DimensionTools {
   }
 
   private wake(): void {
+    // Off and on again within one picture must not start a second clock.
+    cancelAnimationFrame(this.request);
     this.before = undefined;
-    requestAnimationFrame((now) => this.turn(now));
+    this.request = requestAnimationFrame((now) => this.turn(now));
   }
 
   private turn(now: number): void {
@@ -78,7 +81,7 @@ export class DimensionTools {
     this.angle += ((now - (this.before ?? now)) / TURN_MS) * 2 * Math.PI;
     this.before = now;
     this.apply();
-    requestAnimationFrame((next) => this.turn(next));
+    this.request = requestAnimationFrame((next) => this.turn(next));
   }
 }
 
