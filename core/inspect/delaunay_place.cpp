@@ -154,9 +154,10 @@ private:
         return static_cast<std::uint32_t>(around.point(1).size());
     }
     bool has_simplex(const DelaunayCell& cell) const {
-        return width_ == std::count_if(cell.vertex.begin(), cell.vertex.end(), [&](std::uint32_t label) {
-                   return label != kInfiniteVertex && label <= width_;
-               });
+        const auto vertices = std::count_if(cell.vertex.begin(), cell.vertex.end(), [&](std::uint32_t label) {
+            return label != kInfiniteVertex && label <= width_;
+        });
+        return static_cast<std::uint32_t>(vertices) == width_;
     }
 
     const Surroundings* around_;
