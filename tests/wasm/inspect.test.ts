@@ -89,7 +89,7 @@ describe('inspect', () => {
 
 /** A square with a landmark in its middle, and witnesses near its left side and its middle. */
 const SQUARE: PlaneView = {
-  witnesses: [0, 0.4, 0.1, 0.1, 0.3, 0.45, 0.55, 0.5, 0.1, 0.9],
+  witnesses: [-0.2, 0.45, 0.1, 0.1, 0.3, 0.45, 0.55, 0.5, 0.1, 0.9],
   landmarks: [0, 0, 1, 0, 0, 1, 1, 1, 0.5, 0.5],
   nu: [1, 2, 3],
   box: [0, 0, 1, 1],
@@ -130,7 +130,7 @@ describe('planePicture', () => {
     expect(inside.verdict).toBe('present');
     expect(inside.text).toBe(
       'The triangle of landmarks 1, 3 and 5 is in the complex. ' +
-        '5 witnesses have all 3 of them among their 3 nearest landmarks, the best is point 0, ' +
+        '3 witnesses have all 3 of them among their 3 nearest landmarks, the best is point 0, ' +
         'for which the last of them is number 3.',
     );
     expect(module.planeWhy(SQUARE, [7])).toMatchObject({ inspection: { verdict: 'notInserted' } });
