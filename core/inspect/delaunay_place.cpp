@@ -170,8 +170,7 @@ private:
 
 // The last of the nearest `count` others completes what keeps the simplex out. With it in from the start, so does
 // another one, sooner; and so on until nothing more is needed.
-Result<std::vector<Step>> blockers_among(std::size_t count, const Surroundings& around,
-                                         std::span<const Step> simplex) {
+Result<std::vector<Step>> blockers_among(std::size_t count, const Surroundings& around, std::span<const Step> simplex) {
     std::vector<Step> blockers;
     for (;;) {
         Star star(around, simplex);

@@ -120,9 +120,11 @@ std::string not_delaunay(const Inspection& inspection) {
     std::string text = "is not in the Delaunay triangulation: ";
     if (place.is_flat) return text + "its landmarks lie in " + (vertices == 3 ? "a line." : "a plane.");
     if (place.blockers.size() == 1) {
-        return text + "every ball with its landmarks on the boundary has landmark " + grouped(place.blockers.front()) + " inside.";
+        return text + "every ball with its landmarks on the boundary has landmark " + grouped(place.blockers.front()) +
+               " inside.";
     }
-    return text + "every ball with its landmarks on the boundary has one of the landmarks " + listed(place.blockers) + " inside.";
+    return text + "every ball with its landmarks on the boundary has one of the landmarks " + listed(place.blockers) +
+           " inside.";
 }
 
 std::string not_witnessed(const Inspection& inspection) {
@@ -146,7 +148,8 @@ std::string inspection_text(const Inspection& inspection) {
     if (inspection.verdict == Verdict::Present) return present(inspection);
     std::string text = capitalized(named(inspection.simplex)) + " is not in the complex" + at_step(inspection) + ". ";
     const bool is_itself = inspection.about == inspection.simplex;
-    const std::string subject = is_itself ? "It " : "Its " + std::string(shape(about.size())) + " of " + landmarks(about) + " ";
+    const std::string subject =
+        is_itself ? "It " : "Its " + std::string(shape(about.size())) + " of " + landmarks(about) + " ";
     switch (inspection.verdict) {
         case Verdict::NotInserted:
             text += capitalized(landmarks(about)) + (about.size() == 1 ? " comes later." : " come later.");

@@ -68,9 +68,9 @@ std::vector<MetricCase> metrics() {
         {"l1", {Metric::L1, 8, {}}, sum_table},
         {"linf", {Metric::LInf, 8, {}}, maximum_table},
         {"angular", {Metric::Angular, 8, {}}, [](const PointCloud& cloud) { return angle_ranks(cloud, false); }},
-        {"periodic", {Metric::Periodic, 8, {11}}, [](const PointCloud& cloud) {
-             return periodic_table(cloud, std::vector<double>(cloud.dimension, 11));
-         }},
+        {"periodic",
+         {Metric::Periodic, 8, {11}},
+         [](const PointCloud& cloud) { return periodic_table(cloud, std::vector<double>(cloud.dimension, 11)); }},
         {"geodesic", {Metric::Geodesic, 7, {}}, [](const PointCloud& cloud) { return path_table(cloud, 7); }},
         {"euclidean", {Metric::Euclidean, 8, {}}, euclidean_table},
     };
@@ -140,7 +140,8 @@ TEST(InspectionMetrics, MatricesHaveNoCoordinates) {
 TEST(InspectionDilated, AnswersByTheDefinition) {
     int asked_in_all = 0;
     std::set<Verdict> met;
-    for (const auto& [name, pumps] : {std::pair{"plane_uniform", false}, {"torus", false}, {"sphere", true}, {"grid", false}}) {
+    for (const auto& [name, pumps] :
+         {std::pair{"plane_uniform", false}, {"torus", false}, {"sphere", true}, {"grid", false}}) {
         const PointCloud cloud = test_cloud(name).cloud;
         RunOptions options;
         options.family = Family::Dilated;
@@ -169,7 +170,8 @@ TEST(InspectionDilated, AnswersByTheDefinition) {
             const auto lists = reference::landmark_lists(cloud, order, static_cast<int>(step));
             for (int i = 0; i < 12; ++i) {
                 const auto& list = lists[static_cast<std::size_t>(below(random, lists.size()))];
-                const Simplex asked = some_of(random, list, 1 + below(random, static_cast<std::size_t>(dimension) + 2), 5);
+                const Simplex asked =
+                    some_of(random, list, 1 + below(random, static_cast<std::size_t>(dimension) + 2), 5);
                 const auto answer = session.inspect(step, as_steps(asked));
                 ASSERT_TRUE(answer) << answer.error().message;
                 const Inspection& found = answer.value();
@@ -211,7 +213,7 @@ TEST(InspectionDilated, AnswersByTheDefinition) {
         }
     }
     EXPECT_GT(asked_in_all, 60);
-    EXPECT_EQ(met.size(), 3u);
+    EXPECT_EQ(met, (std::set{Verdict::Present, Verdict::NotWitnessed}));
 }
 
 TEST(InspectionWords, NameTheReason) {
@@ -223,9 +225,10 @@ TEST(InspectionWords, NameTheReason) {
         const auto found = session.inspect(step, std::move(vertices));
         return found ? inspection_text(found.value()) : found.error().message;
     };
-    EXPECT_EQ(words(2, {1}),
-              "Landmark 1 is in the complex at step 2. 4 witnesses have it as their nearest landmark, the best is point "
-              "0. It is there from step 1 to the last step so far.");
+    EXPECT_EQ(
+        words(2, {1}),
+        "Landmark 1 is in the complex at step 2. 4 witnesses have it as their nearest landmark, the best is point "
+        "0. It is there from step 1 to the last step so far.");
     EXPECT_EQ(words(2, {4, 1, 3}),
               "The triangle of landmarks 1, 3 and 4 is not in the complex at step 2. Landmarks 3 and 4 come later.");
     EXPECT_EQ(words(5, {1}), "Step 5 is not computed: there are steps 1 to 4.");
@@ -233,7 +236,8 @@ TEST(InspectionWords, NameTheReason) {
     EXPECT_EQ(words(4, {2, 2}), "Landmark 2 is named twice.");
     EXPECT_EQ(words(4, {0}), "Landmarks are named by their steps, from 1 on; got 0.");
     EXPECT_EQ(words(4, {1, 2, 3, 4, 5, 6, 7, 8, 9}), "At most 8 landmarks can be asked about at once; got 9.");
-    EXPECT_EQ(words(4, {1, 2, 3, 4}).substr(0, 66), "The tetrahedron of landmarks 1, 2, 3 and 4 is not in the complex a");
+    EXPECT_EQ(words(4, {1, 2, 3, 4}).substr(0, 66),
+              "The tetrahedron of landmarks 1, 2, 3 and 4 is not in the complex a");
 }
 
 }  // namespace

@@ -58,7 +58,12 @@ describe('inspect', () => {
     expect(vertex.zeta).toBeUndefined();
     expect(vertex.text).toMatch(/^Landmark 4 is in the complex at step 30\. /);
     const later = why(run, 10, [30, 4, 20]);
-    expect(later).toMatchObject({ verdict: 'notInserted', about: Uint32Array.of(20, 30), birth: 0, death: 0 });
+    expect(later).toMatchObject({
+      verdict: 'notInserted',
+      about: Uint32Array.of(20, 30),
+      birth: 0,
+      death: 0,
+    });
     expect(why(run, 30, [1, 2, 3, 4, 5]).verdict).not.toBe('present');
     const dilated = finishedRun(module, sample('torus', 80), { family: 'dilated', maxSteps: 12 });
     expect(why(dilated, 12, [5])).toMatchObject({ verdict: 'present', allowed: 0, surface: 'none' });
@@ -110,7 +115,12 @@ describe('planePicture', () => {
     expect([...picture.edgeWitnesses.witnesses]).toEqual([0, 1, 2, 4]);
     expect([...picture.betti]).toEqual([1, 0]);
     const corners = (i: number): string =>
-      [...picture.cells.corners.subarray(2 * (picture.cells.first[i] ?? 0), 2 * (picture.cells.first[i + 1] ?? 0))].join();
+      [
+        ...picture.cells.corners.subarray(
+          2 * (picture.cells.first[i] ?? 0),
+          2 * (picture.cells.first[i + 1] ?? 0),
+        ),
+      ].join();
     expect(corners(0)).toBe('0,0,0.5,0,0,0.5');
     expect(picture.cells.first).toHaveLength(6);
     expect(picture.pairCells.first).toHaveLength(9);
@@ -125,7 +135,12 @@ describe('planePicture', () => {
 
   test('answers why', () => {
     const { inspection } = expected(module.planeWhy(SQUARE, [3, 0]));
-    expect(inspection).toMatchObject({ verdict: 'notWitnessed', about: Uint32Array.of(3), step: 0, birth: 0 });
+    expect(inspection).toMatchObject({
+      verdict: 'notWitnessed',
+      about: Uint32Array.of(3),
+      step: 0,
+      birth: 0,
+    });
     const inside = expected(module.planeWhy(SQUARE, [2, 0, 4])).inspection;
     expect(inside.verdict).toBe('present');
     expect(inside.text).toBe(
