@@ -13,6 +13,7 @@ EMSCRIPTEN_BINDINGS(plateau) {
         .function("open", &plateau::Run::open)
         .function("run", &plateau::Run::run)
         .function("runPastNoise", &plateau::Run::run_past_noise)
+        .function("runToNextPlateau", &plateau::Run::run_to_next_plateau)
         .function("delta", &plateau::Run::delta)
         .function("plateaus", &plateau::Run::plateaus)
         .function("exportFile", &plateau::Run::export_file)

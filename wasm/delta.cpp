@@ -51,6 +51,17 @@ std::vector<std::uint32_t> older_deaths(const Timeline& timeline, Step done, Ste
     return out;
 }
 
+/// Of each landmark omega(p)^2, the smallest sliver measures before and after, and the relative amplitude.
+std::vector<double> pumps(const Timeline& timeline, Step done, Step end) {
+    std::vector<double> out;
+    if (timeline.pumps.empty()) return out;
+    for (Step step = done + 1; step <= end; ++step) {
+        const Pump& pump = timeline.pumps[step - 1];
+        out.insert(out.end(), {pump.weight_squared, pump.before, pump.after, pump.amplitude});
+    }
+    return out;
+}
+
 void add_rows(val& delta, const Timeline& timeline, Step done, Step end) {
     std::vector<std::uint32_t> vertices, from, to, ended;
     if (!timeline.surface.empty()) {
@@ -121,6 +132,7 @@ void add_record(val& delta, const Timeline& timeline, Step done, Step end) {
     const auto others = timeline.other_betti.empty() ? std::span<const std::uint32_t>()
                                                      : std::span(timeline.other_betti).subspan(done * d, count * d);
     delta.set("otherBetti", copied(others));
+    delta.set("pumps", copied(std::span<const double>(pumps(timeline, done, end))));
     add_simplices(delta, timeline, 1, done, end, "edges", "edgeDeath");
     add_simplices(delta, timeline, 2, done, end, "triangles", "triangleDeath");
     delta.set("deaths", copied(std::span<const std::uint32_t>(older_deaths(timeline, done, end))));

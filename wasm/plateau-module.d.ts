@@ -37,6 +37,8 @@ export interface ModuleRun {
   run(budgetMs: number, maxSteps: number): Progress | Failed;
   /** Lifts the stop at the noise: what ended there goes on. */
   runPastNoise(): { readonly kind: 'lifted' } | Failed;
+  /** What ended at a plateau goes on to the next one that is long enough, or to its end. */
+  runToNextPlateau(): { readonly kind: 'lifted' } | Failed;
   /** What was appended since the last call, at most about `maxSimplices` simplices. */
   delta(maxSimplices: number): Delta | Failed;
   plateaus(): Plateaus | Failed;

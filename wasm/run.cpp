@@ -139,6 +139,7 @@ val Run::opened_with(PointCloud cloud, const std::vector<std::string>& warnings)
     const std::uint64_t needed = estimated_memory(points.size(), planned, points.dimension, family) + input;
     const Step affordable = affordable_landmarks(points.size(), points.dimension, family, options.memory_limit - input);
     opened.set("stepsPlanned", planned);
+    opened.set("minLength", options.min_length);
     opened.set("estimatedBytes", static_cast<double>(needed));
     opened.set("memoryLimitBytes", static_cast<double>(options.memory_limit));
     opened.set("stepsAffordable", std::min(planned, affordable));
@@ -165,14 +166,23 @@ val Run::run(double budget_ms, std::uint32_t max_steps) {
     });
 }
 
-val Run::run_past_noise() {
+template <class Lift>
+val Run::lifted(const Lift& lift) {
     return marshal::guarded([&] {
         if (!session_) return marshal::failed(not_open());
-        session_->run_past_noise();
+        lift(*session_);
         val answer = val::object();
         answer.set("kind", std::string("lifted"));
         return answer;
     });
+}
+
+val Run::run_past_noise() {
+    return lifted([](Session& session) { session.run_past_noise(); });
+}
+
+val Run::run_to_next_plateau() {
+    return lifted([](Session& session) { session.run_to_next_plateau(); });
 }
 
 val Run::delta(std::uint32_t max_simplices) {
@@ -195,6 +205,7 @@ val Run::delta(std::uint32_t max_simplices) {
         delta.set("memoryBytes", static_cast<double>(progress.memory));
         delta.set("noise", progress.noise);
         delta.set("endedAtNoise", complete && progress.ended_at_noise);
+        delta.set("endedAtPlateau", complete && progress.ended_at_plateau);
         marshal::add_record(delta, timeline, done, end);
         handed_out_ = end;
         return delta;

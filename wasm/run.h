@@ -26,6 +26,8 @@ public:
     emscripten::val run(double budget_ms, std::uint32_t max_steps);
     /// Lifts the stop at the noise; run() goes on after it: {kind: 'lifted'}.
     emscripten::val run_past_noise();
+    /// After an end at a plateau run() goes on to the next one that is long enough, or to the end: {kind: 'lifted'}.
+    emscripten::val run_to_next_plateau();
     /// What was appended since the last call: whole steps with about `max_simplices` simplices at most, at least one
     /// step if there is one. Its state is final only once everything was handed out.
     emscripten::val delta(std::uint32_t max_simplices);
@@ -40,6 +42,8 @@ public:
     std::string hash() const;
 
 private:
+    template <class Lift>
+    emscripten::val lifted(const Lift& lift);
     std::optional<Error> take_options_of(SavedRun saved);
     emscripten::val opened_with(PointCloud cloud, const std::vector<std::string>& warnings);
 

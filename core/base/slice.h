@@ -14,14 +14,14 @@ public:
 
     explicit Slice(const Deadline& deadline) : deadline_(&deadline) {}
 
-    /// Asked before each unit of work: whether the loop has to return without it.
-    bool used_up() {
-        if (left_ == 0 && !over_) {
+    /// Asked before each piece of work, of so many units, at most kUnits: whether the loop has to return without it.
+    bool used_up(std::uint32_t units = 1) {
+        if (left_ < units && !over_) {
             over_ = deadline_->passed();
             left_ = kUnits;
         }
         if (over_) return true;
-        --left_;
+        left_ -= units;
         return false;
     }
 

@@ -38,40 +38,47 @@ bool DilatedComplex::is_dead(std::size_t k, SimplexIndex simplex, Tables& tables
     return (k == 0 ? hidden_since_[simplex] : tables[k].death[0][simplex]) != kNever;
 }
 
-void DilatedComplex::insert(Step step, std::span<const double> point, double epsilon, const LandmarkLists& lists,
-                            std::vector<SimplexTable>& of_dimension) {
+bool DilatedComplex::insert(Step step, std::span<const double> point, double epsilon, const LandmarkLists& lists,
+                            std::vector<SimplexTable>& of_dimension, Slice& slice) {
     Tables tables{step, of_dimension};
-    if (!search_) search_.emplace(lists, landmarks_);
-    deaths_.clear();
-    hidden_.clear();
-    landmarks_.add(point, 0);
-    weigh(step, epsilon);
-    hidden_since_.push_back(kNever);
     const double zeta = options_.dilation * epsilon;
-
-    lose(zeta, tables);
-    std::sort(deaths_.begin(), deaths_.end(), [&](const Death& a, const Death& b) {
-        if (a.dimension != b.dimension) return a.dimension < b.dimension;
-        const auto x = tables[a.dimension].tuple(a.simplex);
-        const auto y = tables[b.dimension].tuple(b.simplex);
-        return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
-    });
-    const auto own = search_->find({&step, 1}, zeta, landmarks_.point(step));
-    if (own) {
-        living_[0].push_back({step, *own});
-    } else {
-        hidden_since_[step] = step;
-        hidden_.push_back(step);
+    if (place_.phase == Phase::Idle) {
+        if (!search_) search_.emplace(lists, landmarks_);
+        deaths_.clear();
+        hidden_.clear();
+        landmarks_.add(point, 0);
+        begin_weighing(step, epsilon);
+        hidden_since_.push_back(kNever);
+        place_ = {.phase = Phase::Weigh};
     }
-    for (std::size_t k = 1; k < living_.size(); ++k) {
-        if (own) k == 1 ? bear_edges(zeta, tables) : bear(k, zeta, tables);
+    if (place_.phase == Phase::Weigh) {
+        if (!weigh(slice)) return false;
+        place_ = {.phase = Phase::Lose};
+    }
+    if (place_.phase == Phase::Lose) {
+        if (!lose(zeta, tables, slice)) return false;
+        sort_deaths(tables);
+        place_ = {.phase = Phase::BearVertex};
+    }
+    if (place_.phase == Phase::BearVertex) {
+        if (slice.used_up(WitnessSearch::kUnits)) return false;
+        bear_vertex(zeta, step);
+        place_ = {.phase = Phase::Bear, .k = 1};
+    }
+    while (place_.k < living_.size()) {
+        const std::size_t k = place_.k;
+        const bool is_vertex = hidden_since_[step] == kNever;
+        if (is_vertex && !(k == 1 ? bear_edges(zeta, tables, slice) : bear(k, zeta, tables, slice))) return false;
         tables[k].first_of_step.resize(step + std::size_t{2}, 0);
         tables[k].first_of_step[step + 1] = tables[k].size();
+        place_ = {.phase = Phase::Bear, .k = k + 1};
     }
+    place_ = {};
+    return true;
 }
 
-// omega(p)^2 of the new landmark, and how large the weights are for the distances so far.
-void DilatedComplex::weigh(Step step, double epsilon) {
+// omega(p)^2 of the new landmark is to be chosen.
+void DilatedComplex::begin_weighing(Step step, double epsilon) {
     const double tie_breaking = tie_breaking_weight_squared(step, epsilon);
     landmarks_.reweigh(tie_breaking);
     if (!options_.pumps) return;
@@ -83,31 +90,45 @@ void DilatedComplex::weigh(Step step, double epsilon) {
     }
     nearest_squared_.push_back(nearest);
     pump_ = {};
+    pumping_.reset();
     // The first landmark has no other, and at epsilon = 0 witnesses have no radius.
-    if (step > 1 && epsilon > 0) {
-        std::vector<Step> vertices;
-        for (const Living& vertex : living_[0]) vertices.push_back(vertex.simplex);
-        const double omega_bar = options_.pump.omega_bar;
-        Pumping pumping(landmarks_, *search_, options_.pump);
-        pump_ = pumping.pump(options_.pump.dilation * epsilon, omega_bar * omega_bar * nearest, tie_breaking, vertices);
+    if (step == 1 || epsilon == 0) return;
+    std::vector<Step> vertices;
+    for (const Living& vertex : living_[0]) vertices.push_back(vertex.simplex);
+    const double omega_bar = options_.pump.omega_bar;
+    pumping_.emplace(landmarks_, *search_, options_.pump);
+    pumping_->begin(options_.pump.dilation * epsilon, omega_bar * omega_bar * nearest, tie_breaking,
+                    std::move(vertices));
+}
+
+// Chooses it, and tells how large the weights are for the distances so far.
+bool DilatedComplex::weigh(Slice& slice) {
+    if (!options_.pumps) return true;
+    if (pumping_) {
+        if (!pumping_->advance(slice)) return false;
+        pump_ = pumping_->result();
+        pumping_.reset();
     }
     double amplitude_squared = 0;
-    for (Step landmark = 1; landmark <= step; ++landmark) {
+    for (Step landmark = 1; landmark <= landmarks_.size(); ++landmark) {
         amplitude_squared =
             std::max(amplitude_squared, landmarks_.weight_squared(landmark) / nearest_squared_[landmark]);
     }
     pump_.amplitude = std::sqrt(amplitude_squared);
+    return true;
 }
 
-void DilatedComplex::lose(double zeta, Tables& tables) {
-    for (std::size_t k = 0; k < living_.size(); ++k) {
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < living_[k].size(); ++i) {
-            Living& living = living_[k][i];
+bool DilatedComplex::lose(double zeta, Tables& tables, Slice& slice) {
+    for (; place_.k < living_.size(); place_ = {.phase = Phase::Lose, .k = place_.k + 1}) {
+        const std::size_t k = place_.k;
+        for (; place_.next < living_[k].size(); ++place_.next) {
+            Living& living = living_[k][place_.next];
             if (is_dead(k, living.simplex, tables)) continue;
             const Watch& watch = living.watch;
             const bool is_cut = landmarks_.power(tables.step, watch.nearest.data()) < watch.power;
-            if (is_cut || watch.distance_squared > zeta * zeta) {
+            const bool is_lost = is_cut || watch.distance_squared > zeta * zeta;
+            if (slice.used_up(is_lost ? WitnessSearch::kUnits : 1)) return false;
+            if (is_lost) {
                 const auto vertices = tuple(k, living.simplex, tables);
                 std::optional<Watch> next;
                 if (is_cut) next = search_->look_at(vertices, zeta, watch.witness);
@@ -118,10 +139,20 @@ void DilatedComplex::lose(double zeta, Tables& tables) {
                 }
                 living.watch = *next;
             }
-            living_[k][kept++] = living;
+            living_[k][place_.kept++] = living;
         }
-        living_[k].resize(kept);
+        living_[k].resize(place_.kept);
     }
+    return true;
+}
+
+void DilatedComplex::sort_deaths(Tables& tables) {
+    std::sort(deaths_.begin(), deaths_.end(), [&](const Death& a, const Death& b) {
+        if (a.dimension != b.dimension) return a.dimension < b.dimension;
+        const auto x = tables[a.dimension].tuple(a.simplex);
+        const auto y = tables[b.dimension].tuple(b.simplex);
+        return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
+    });
 }
 
 void DilatedComplex::kill(std::size_t k, SimplexIndex simplex, Tables& tables) {
@@ -142,28 +173,42 @@ void DilatedComplex::kill(std::size_t k, SimplexIndex simplex, Tables& tables) {
     books_.for_each_coface(static_cast<int>(k), simplex, [&](SimplexIndex coface) { kill(k + 1, coface, tables); });
 }
 
-void DilatedComplex::bear_edges(double zeta, Tables& tables) {
-    const double reach = search_->reach(zeta);
-    const double* p = landmarks_.point(tables.step);
-    for (Step other = 1; other < tables.step; ++other) {
-        if (hidden_since_[other] != kNever) continue;
-        if (landmarks_.distance_squared(other, p) > reach * reach) continue;
-        const std::array edge = {other, tables.step};
-        if (const auto watch = search_->find(edge, zeta, p)) bear_one(1, edge, {}, *watch, tables);
+void DilatedComplex::bear_vertex(double zeta, Step step) {
+    if (const auto own = search_->find({&step, 1}, zeta, landmarks_.point(step))) {
+        living_[0].push_back({step, *own});
+    } else {
+        hidden_since_[step] = step;
+        hidden_.push_back(step);
     }
 }
 
+bool DilatedComplex::bear_edges(double zeta, Tables& tables, Slice& slice) {
+    if (place_.next == 0) place_ = {.phase = Phase::Bear, .k = 1, .next = 1, .reach = search_->reach(zeta)};
+    const double* p = landmarks_.point(tables.step);
+    for (; place_.next < tables.step; ++place_.next) {
+        const auto other = static_cast<Step>(place_.next);
+        if (hidden_since_[other] != kNever) continue;
+        if (landmarks_.distance_squared(other, p) > place_.reach * place_.reach) continue;
+        if (slice.used_up(WitnessSearch::kUnits)) return false;
+        const std::array edge = {other, tables.step};
+        if (const auto watch = search_->find(edge, zeta, p)) bear_one(1, edge, {}, *watch, tables);
+    }
+    return true;
+}
+
 // Two of the simplices just born that differ in one vertex span a candidate; all of its facets must live.
-void DilatedComplex::bear(std::size_t k, double zeta, Tables& tables) {
+bool DilatedComplex::bear(std::size_t k, double zeta, Tables& tables, Slice& slice) {
     SimplexTable& below = tables[k - 1];
     const SimplexIndex first = below.first_of_step[tables.step];
     const SimplexIndex last = below.size();
     std::array<Step, kMaxDilatedDimension + 1> simplex{};
     std::array<SimplexIndex, kMaxDilatedDimension + 1> facets{};
-    for (SimplexIndex a = first; a < last; ++a) {
-        for (SimplexIndex b = a + 1; b < last; ++b) {
+    for (place_.next = std::max<std::size_t>(place_.next, first); place_.next < last; ++place_.next) {
+        const auto a = static_cast<SimplexIndex>(place_.next);
+        if (place_.partner == 0) place_.partner = a + std::size_t{1};
+        for (; place_.partner < last; ++place_.partner) {
             const auto x = below.tuple(a);
-            const auto y = below.tuple(b);
+            const auto y = below.tuple(static_cast<SimplexIndex>(place_.partner));
             if (!std::equal(x.begin(), x.end() - 2, y.begin())) break;
             std::copy(x.begin(), x.end() - 1, simplex.begin());
             simplex[k - 1] = y[k - 2];
@@ -178,13 +223,16 @@ void DilatedComplex::bear(std::size_t k, double zeta, Tables& tables) {
                 facets[j] = below.find({facet.data(), k});
                 lives = facets[j] != kNoSimplex && below.death[0][facets[j]] == kNever;
             }
+            if (slice.used_up(lives ? WitnessSearch::kUnits : 1)) return false;
             if (!lives) continue;
             const std::span<const Step> vertices{simplex.data(), k + 1};
             if (const auto watch = search_->find(vertices, zeta, landmarks_.point(tables.step))) {
                 bear_one(k, vertices, {facets.data(), k + 1}, *watch, tables);
             }
         }
+        place_.partner = 0;
     }
+    return true;
 }
 
 void DilatedComplex::bear_one(std::size_t k, std::span<const Step> simplex, std::span<const SimplexIndex> facets,

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/slice.h"
 #include "complex/simplex_books.h"
 #include "complex/simplex_table.h"
 #include "dilated/cell_distance.h"
@@ -39,9 +40,10 @@ public:
 
     /// Follows one insertion. `lists` after the insertion of the landmark `point` of `step`, by a tree, with kappa >=
     /// 2; epsilon after it. Appends births to `tables` (one a dimension, 1 first, up to that of the cloud) and sets
-    /// deaths there.
-    void insert(Step step, std::span<const double> point, double epsilon, const LandmarkLists& lists,
-                std::vector<SimplexTable>& tables);
+    /// deaths there. False where the slice is used up: then it is to be called again with the same arguments, until it
+    /// is true, and goes on where it was.
+    bool insert(Step step, std::span<const double> point, double epsilon, const LandmarkLists& lists,
+                std::vector<SimplexTable>& tables, Slice& slice);
 
     /// Deaths of the last step by (dimension, tuple).
     std::span<const Death> deaths() const { return deaths_; }
@@ -65,13 +67,27 @@ private:
         SimplexTable& operator[](std::size_t k) { return of_dimension[k - 1]; }
     };
 
+    enum class Phase : std::uint8_t { Idle, Weigh, Lose, BearVertex, Bear };
+    /// Where an insertion is.
+    struct Place {
+        Phase phase = Phase::Idle;
+        std::size_t k = 0;        // dimension that is lost or born
+        std::size_t next = 0;     // losing: the simplex to look at; bearing: the other end, or the first of two facets
+        std::size_t partner = 0;  // bearing: the second of them; 0: none yet
+        std::size_t kept = 0;     // losing: how many so far go on living
+        double reach = 0;         // bearing edges
+    };
+
     std::span<const Step> tuple(std::size_t k, const SimplexIndex& simplex, Tables& tables) const;
     bool is_dead(std::size_t k, SimplexIndex simplex, Tables& tables) const;
-    void weigh(Step step, double epsilon);
-    void lose(double zeta, Tables& tables);
+    void begin_weighing(Step step, double epsilon);
+    bool weigh(Slice& slice);
+    bool lose(double zeta, Tables& tables, Slice& slice);
+    void sort_deaths(Tables& tables);
     void kill(std::size_t k, SimplexIndex simplex, Tables& tables);
-    void bear_edges(double zeta, Tables& tables);
-    void bear(std::size_t k, double zeta, Tables& tables);
+    void bear_vertex(double zeta, Step step);
+    bool bear_edges(double zeta, Tables& tables, Slice& slice);
+    bool bear(std::size_t k, double zeta, Tables& tables, Slice& slice);
     void bear_one(std::size_t k, std::span<const Step> simplex, std::span<const SimplexIndex> facets,
                   const Watch& watch, Tables& tables);
 
@@ -82,6 +98,8 @@ private:
     std::vector<std::vector<Living>> living_;  // by dimension, from 0
     std::vector<Step> hidden_since_;           // by landmark, from 1; kNever: a vertex
     std::vector<double> nearest_squared_;      // by landmark, from 1: squared distance to the nearest other one
+    Place place_;
+    std::optional<Pumping> pumping_;
     Pump pump_;
     std::vector<Death> deaths_;
     std::vector<Step> hidden_;

@@ -28,18 +28,22 @@ bool Pumping::is_witnessed(std::span<const Step> simplex, std::uint32_t level) {
 }
 
 // At the level that suits it best: the highest with p, the lowest without.
-bool Pumping::may_be_witnessed(const Simplex& simplex) {
+std::optional<bool> Pumping::may_be_witnessed(const Simplex& simplex, Slice& slice) {
     const auto known = possible_.find(simplex);
     if (known != possible_.end()) return known->second;
+    if (slice.used_up(WitnessSearch::kUnits)) return std::nullopt;
     const bool result = is_witnessed(simplex, simplex.back() == p_ ? kLevels : 0);
     possible_.emplace(simplex, result);
     return result;
 }
 
 // Of a simplex that may be witnessed, its faces aside.
-Pumping::Levels Pumping::own_levels(const Simplex& simplex) {
+std::optional<Pumping::Levels> Pumping::own_levels(const Simplex& simplex, Slice& slice) {
     const auto known = levels_.find(simplex);
     if (known != levels_.end()) return known->second;
+    constexpr std::uint32_t kSearches = 11;
+    static_assert(1u << (kSearches - 1) == kLevels && kSearches * WitnessSearch::kUnits <= Slice::kUnits);
+    if (slice.used_up(kSearches * WitnessSearch::kUnits)) return std::nullopt;
     const bool has_p = simplex.back() == p_;
     Levels levels;
     if (!is_witnessed(simplex, has_p ? 0 : kLevels)) {
@@ -50,54 +54,85 @@ Pumping::Levels Pumping::own_levels(const Simplex& simplex) {
             (is_witnessed(simplex, middle) == has_p ? high : low) = middle;
         }
         (has_p ? levels.first : levels.last) = has_p ? high : low;
-        ++events_;
+        ++pump_.events;
     }
     levels_.emplace(simplex, levels);
     return levels;
 }
 
-Pumping::Levels Pumping::star_levels(const Simplex& simplex) {
+std::optional<Pumping::Levels> Pumping::star_levels(const Simplex& simplex, Slice& slice) {
     Levels levels;
+    bool complete = true;
     for_each_face(simplex, [&](const Simplex& face) {
-        const Levels own = own_levels(face);
-        levels.first = std::max(levels.first, own.first);
-        levels.last = std::min(levels.last, own.last);
+        const auto own = complete ? own_levels(face, slice) : std::nullopt;
+        complete = own.has_value();
+        if (!own) return;
+        levels.first = std::max(levels.first, own->first);
+        levels.last = std::min(levels.last, own->last);
     });
+    if (!complete) return std::nullopt;
     return levels;
 }
 
-// By induction on dimension: simplices whose faces may all be witnessed, each at some level.
-void Pumping::collect_star(const std::vector<Step>& vertices) {
-    star_.clear();
-    landmarks_->reweigh(largest_ + tie_breaking_);
-    const double reach = search_->reach(zeta_);
-    const double* p = landmarks_->point(p_);
-    for (const Step vertex : vertices) {
-        if (landmarks_->distance_squared(vertex, p) > reach * reach) continue;
-        if (may_be_witnessed({vertex}) && may_be_witnessed({vertex, p_})) star_.push_back({vertex, p_});
+bool Pumping::collect_edges(Slice& slice) {
+    for (; next_ < vertices_.size(); ++next_) {
+        const Step vertex = vertices_[next_];
+        if (landmarks_->distance_squared(vertex, landmarks_->point(p_)) > reach_ * reach_) continue;
+        const auto alone = may_be_witnessed({vertex}, slice);
+        if (!alone) return false;
+        const auto joined = *alone ? may_be_witnessed({vertex, p_}, slice) : false;
+        if (!joined) return false;
+        if (*joined) star_.push_back({vertex, p_});
     }
-    std::size_t begin = 0;
-    for (std::size_t k = 2; k <= landmarks_->dimension(); ++k) {
-        const std::size_t end = star_.size();
-        for (std::size_t a = begin; a < end; ++a) {
-            for (std::size_t b = a + 1; b < end; ++b) {
-                if (!std::equal(star_[a].begin(), star_[a].end() - 2, star_[b].begin())) break;
-                Simplex simplex(star_[a].begin(), star_[a].end() - 1);
-                simplex.push_back(star_[b][k - 2]);
+    return true;
+}
+
+// Whether the faces of a simplex with p may all be witnessed, and the simplex itself, each at some level.
+std::optional<bool> Pumping::may_be_in_star(const Simplex& simplex, Slice& slice) {
+    const std::size_t k = simplex.size() - 1;
+    for (std::size_t j = 0; j <= k; ++j) {
+        Simplex facet = simplex;
+        facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(j));
+        const auto known = possible_.find(facet);
+        std::optional<bool> has_facet = known != possible_.end() && known->second;
+        // A facet without p may be new; one with p has been looked at where its own facets allowed it.
+        if (known == possible_.end() && j == k) has_facet = may_be_witnessed(facet, slice);
+        if (!has_facet) return std::nullopt;
+        if (!*has_facet) return false;
+    }
+    return may_be_witnessed(simplex, slice);
+}
+
+// By induction on dimension.
+bool Pumping::collect_star(Slice& slice) {
+    for (; dimension_ <= landmarks_->dimension(); ++dimension_) {
+        for (; next_ < end_; ++next_) {
+            for (partner_ = std::max(partner_, next_ + 1); partner_ < end_; ++partner_) {
+                const Simplex& a = star_[next_];
+                const Simplex& b = star_[partner_];
+                if (!std::equal(a.begin(), a.end() - 2, b.begin())) break;
+                if (slice.used_up()) return false;
+                Simplex simplex(a.begin(), a.end() - 1);
+                simplex.push_back(b[dimension_ - 2]);
                 simplex.push_back(p_);
-                bool has_facets = true;
-                for (std::size_t j = 0; j <= k && has_facets; ++j) {
-                    Simplex facet = simplex;
-                    facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(j));
-                    const auto known = possible_.find(facet);
-                    // A facet without p may be new; one with p has been looked at where its own facets allowed it.
-                    has_facets = known != possible_.end() ? known->second : j == k && may_be_witnessed(facet);
-                }
-                if (has_facets && may_be_witnessed(simplex)) star_.push_back(std::move(simplex));
+                const auto may_be = may_be_in_star(simplex, slice);
+                if (!may_be) return false;
+                if (*may_be) star_.push_back(std::move(simplex));
             }
+            partner_ = 0;
         }
-        begin = end;
+        next_ = end_;
+        end_ = star_.size();
     }
+    return true;
+}
+
+void Pumping::sort_star() {
+    for (const Simplex& simplex : star_) {
+        const double measure = sliver_measure(simplex, *landmarks_, options_.measure);
+        if (measure < 1) flattest_first_.emplace_back(measure, simplex);
+    }
+    std::sort(flattest_first_.begin(), flattest_first_.end());
 }
 
 std::vector<Pumping::Levels> Pumping::without(const std::vector<Levels>& ranges, const Levels& taken) {
@@ -109,55 +144,80 @@ std::vector<Pumping::Levels> Pumping::without(const std::vector<Levels>& ranges,
     return rest;
 }
 
-Pump Pumping::pump(double zeta, double largest, double tie_breaking, const std::vector<Step>& vertices) {
+void Pumping::begin(double zeta, double largest, double tie_breaking, std::vector<Step> vertices) {
     p_ = landmarks_->size();
     zeta_ = zeta;
     largest_ = largest;
     tie_breaking_ = tie_breaking;
-    possible_.clear();
-    levels_.clear();
-    events_ = 0;
-    Pump pump;
-    if (!may_be_witnessed({p_})) {
-        landmarks_->reweigh(tie_breaking);
-        pump.before = pump.after = 0;
-        return pump;
-    }
-    collect_star(vertices);
-    std::vector<std::pair<double, Simplex>> flattest_first;
-    for (const Simplex& simplex : star_) {
-        const double measure = sliver_measure(simplex, *landmarks_, options_.measure);
-        if (measure < 1) flattest_first.emplace_back(measure, simplex);
-    }
-    std::sort(flattest_first.begin(), flattest_first.end());
+    vertices_ = std::move(vertices);
+}
 
-    // Levels at which p is a vertex and no simplex so far is in its star, as ranges.
-    std::vector<Levels> left = {own_levels({p_})};
-    bool before_is_known = left.front().first > 0;
-    if (before_is_known) pump.before = 0;
-    for (std::size_t i = 0; i < flattest_first.size();) {
+bool Pumping::advance(Slice& slice) {
+    if (phase_ == Phase::Begin) {
+        const auto may_be_vertex = may_be_witnessed({p_}, slice);
+        if (!may_be_vertex) return false;
+        landmarks_->reweigh(largest_ + tie_breaking_);
+        reach_ = search_->reach(zeta_);
+        phase_ = Phase::Edges;
+        if (!*may_be_vertex) {
+            pump_.before = pump_.after = 0;
+            phase_ = Phase::Done;
+        }
+    }
+    if (phase_ == Phase::Edges) {
+        if (!collect_edges(slice)) return false;
+        next_ = 0;
+        end_ = star_.size();
+        phase_ = Phase::Star;
+    }
+    if (phase_ == Phase::Star) {
+        if (!collect_star(slice)) return false;
+        sort_star();
+        next_ = 0;
+        phase_ = Phase::Choice;
+    }
+    if (phase_ == Phase::Choice) {
+        if (!choose(slice)) return false;
+        pump_.weight_squared = largest_ * left_.front().first / kLevels;
+        phase_ = Phase::Done;
+    }
+    landmarks_->reweigh(pump_.weight_squared + tie_breaking_);
+    return true;
+}
+
+bool Pumping::choose(Slice& slice) {
+    if (left_.empty()) {
+        const auto own = own_levels({p_}, slice);
+        if (!own) return false;
+        left_ = {*own};
+        before_is_known_ = own->first > 0;
+        if (before_is_known_) pump_.before = 0;
+    }
+    while (next_ < flattest_first_.size()) {
         // Simplices of one measure together: any level that only they take is as good as the next.
-        const double measure = flattest_first[i].first;
-        std::vector<Levels> rest = left;
-        for (; i < flattest_first.size() && flattest_first[i].first == measure; ++i) {
-            const Levels taken = star_levels(flattest_first[i].second);
-            if (taken.first > taken.last) continue;
-            if (!before_is_known && taken.first == 0) {
-                before_is_known = true;
-                pump.before = measure;
-            }
-            rest = without(rest, taken);
+        const double measure = flattest_first_[next_].first;
+        std::vector<Levels> rest = left_;
+        bool enters_at_zero = false;
+        std::size_t i = next_;
+        for (; i < flattest_first_.size() && flattest_first_[i].first == measure; ++i) {
+            const auto taken = star_levels(flattest_first_[i].second, slice);
+            if (!taken) return false;
+            if (taken->first > taken->last) continue;
+            enters_at_zero = enters_at_zero || taken->first == 0;
+            rest = without(rest, *taken);
+        }
+        if (enters_at_zero && !before_is_known_) {
+            before_is_known_ = true;
+            pump_.before = measure;
         }
         if (rest.empty()) {
-            pump.after = measure;
+            pump_.after = measure;
             break;
         }
-        left = std::move(rest);
+        left_ = std::move(rest);
+        next_ = i;
     }
-    pump.weight_squared = largest * left.front().first / kLevels;
-    pump.events = events_;
-    landmarks_->reweigh(pump.weight_squared + tie_breaking);
-    return pump;
+    return true;
 }
 
 }  // namespace plateau

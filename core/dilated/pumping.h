@@ -4,8 +4,10 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/slice.h"
 #include "dilated/slivers.h"
 #include "dilated/weighted_landmarks.h"
 #include "dilated/witness_search.h"
@@ -45,9 +47,13 @@ public:
     Pumping(WeightedLandmarks& landmarks, WitnessSearch& search, const PumpOptions& options)
         : landmarks_(&landmarks), search_(&search), options_(options) {}
 
-    /// Chooses omega(p)^2 between 0 and `largest` and leaves it, plus `tie_breaking`, as the weight of p. `vertices`:
-    /// the other landmarks that can be in its star, ascending. The amplitude is not filled in.
-    Pump pump(double zeta, double largest, double tie_breaking, const std::vector<Step>& vertices);
+    /// Is to choose omega(p)^2 between 0 and `largest`. `vertices`: the other landmarks that can be in the star of p,
+    /// ascending.
+    void begin(double zeta, double largest, double tie_breaking, std::vector<Step> vertices);
+    /// Goes on until the slice is used up; true when the choice is made and, plus `tie_breaking`, is the weight of p.
+    bool advance(Slice& slice);
+    /// What was chosen, once advance() is true. The amplitude is not filled in.
+    const Pump& result() const { return pump_; }
 
 private:
     struct Levels {  // at which a simplex is witnessed, both included; empty: first > last
@@ -55,12 +61,18 @@ private:
     };
     using Simplex = std::vector<Step>;
 
+    enum class Phase : std::uint8_t { Begin, Edges, Star, Choice, Done };
+
     bool is_witnessed(std::span<const Step> simplex, std::uint32_t level);
-    bool may_be_witnessed(const Simplex& simplex);
-    Levels own_levels(const Simplex& simplex);
-    Levels star_levels(const Simplex& simplex);
+    std::optional<bool> may_be_witnessed(const Simplex& simplex, Slice& slice);
+    std::optional<Levels> own_levels(const Simplex& simplex, Slice& slice);
+    std::optional<Levels> star_levels(const Simplex& simplex, Slice& slice);
     static std::vector<Levels> without(const std::vector<Levels>& ranges, const Levels& taken);
-    void collect_star(const std::vector<Step>& vertices);
+    bool collect_edges(Slice& slice);
+    bool collect_star(Slice& slice);
+    std::optional<bool> may_be_in_star(const Simplex& simplex, Slice& slice);
+    void sort_star();
+    bool choose(Slice& slice);
 
     WeightedLandmarks* landmarks_;
     WitnessSearch* search_;
@@ -70,7 +82,17 @@ private:
     std::vector<Simplex> star_;         // all that can be in the star of p, of dimension 1 and more
     std::map<Simplex, bool> possible_;  // witnessed at the best level for it
     std::map<Simplex, Levels> levels_;  // as far as they are known
-    std::uint32_t events_ = 0;
+    Pump pump_;
+    // Where it is. What is known of a simplex is kept, so that a part of the way that is gone twice costs no search.
+    Phase phase_ = Phase::Begin;
+    std::vector<Step> vertices_;
+    double reach_ = 0;
+    std::size_t dimension_ = 2;           // of the simplices that are collected
+    std::size_t next_ = 0, partner_ = 0;  // the vertex, the two facets or the flat simplex to look at
+    std::size_t end_ = 0;                 // of the facets in star_
+    std::vector<std::pair<double, Simplex>> flattest_first_;
+    std::vector<Levels> left_;  // at which p is a vertex and no simplex so far is in its star
+    bool before_is_known_ = false;
 };
 
 }  // namespace plateau

@@ -23,6 +23,9 @@ struct Watch {
 /// Looks for witnesses of simplices: a descent into the tree that leaves out what provably has none.
 class WitnessSearch {
 public:
+    /// What a search counts as of a Slice: some microseconds.
+    static constexpr std::uint32_t kUnits = 32;
+
     /// `lists` by a prepared tree; both must outlive this.
     WitnessSearch(const LandmarkLists& lists, const WeightedLandmarks& landmarks)
         : lists_(&lists), landmarks_(&landmarks), balls_(lists.tree()), cell_(landmarks) {}

@@ -66,22 +66,22 @@ std::optional<Error> Engine::begin_step(std::uint32_t input_index) {
     timeline_.epsilons.push_back(lists_.distance(lists_.farthest_comparable()));
     timeline_.delaunay_dimension.push_back(static_cast<std::uint8_t>(change_ == nullptr ? 0 : change_->dimension));
 
-    if (dilated_) {
-        follow_dilated(step);
-    } else if (change_ == nullptr) {
+    if (dilated_) return std::nullopt;
+    if (change_ == nullptr) {
         complex_->insert(step, lists_, entries, timeline_.simplices);
     } else {
         complex_->insert(step, lists_, entries, *delaunay_, *change_, timeline_.simplices);
     }
-    record_deaths(dilated_ ? dilated_->deaths() : complex_->deaths());
+    record_deaths(complex_->deaths());
     return std::nullopt;
 }
 
 bool Engine::finish_step(const Deadline& deadline) {
     const Step step = timeline_.step_count + 1;
+    Slice slice(deadline);
+    if (dilated_ && !follow_dilated(step, slice)) return false;
     if (surface_) {
         const LandmarkPoints points{cloud_, &timeline_.landmarks};
-        Slice slice(deadline);
         if (!surface_->update(step, *delaunay_, *change_, *complex_, complex_->deaths(), points, timeline_, slice)) {
             return false;
         }
@@ -117,12 +117,14 @@ void Engine::expect(const DelaunayChange& change) const {
     }
 }
 
-void Engine::follow_dilated(Step step) {
-    const std::uint32_t input_index = timeline_.landmarks.back();
-    dilated_->insert(step, cloud_->point(input_index), timeline_.epsilon(step), lists_, timeline_.simplices);
+bool Engine::follow_dilated(Step step, Slice& slice) {
+    const auto point = cloud_->point(timeline_.landmarks.back());
+    if (!dilated_->insert(step, point, timeline_.epsilon(step), lists_, timeline_.simplices, slice)) return false;
     timeline_.weights_squared.push_back(dilated_->landmarks().weight_squared(step));
     if (options_.dilated.pumps) timeline_.pumps.push_back(dilated_->pump());
     for (const Step landmark : dilated_->hidden()) timeline_.hidden.push_back({landmark, step});
+    record_deaths(dilated_->deaths());
+    return true;
 }
 
 void Engine::record_deaths(std::span<const Death> deaths) {

@@ -49,8 +49,8 @@ public:
     std::optional<Error> begin_step(std::uint32_t input_index);
     /// Whether a step is begun and not complete.
     bool in_step() const { return timeline_.landmarks.size() > timeline_.step_count; }
-    /// Goes on with the step until the deadline; true when it is complete. Only the surface makes a step long enough to
-    /// be cut.
+    /// Goes on with the step until the deadline; true when it is complete. Only the surface and family dilated make a
+    /// step long enough to be cut.
     bool finish_step(const Deadline& deadline);
     /// The next landmark, farthest first, after the first insertion.
     std::uint32_t farthest() const { return lists_.farthest(); }
@@ -64,7 +64,7 @@ public:
 
 private:
     void expect(const DelaunayChange& change) const;
-    void follow_dilated(Step step);
+    bool follow_dilated(Step step, Slice& slice);
     void record_deaths(std::span<const Death> deaths);
     void record_numbers();
     void extend_hash(Step step);

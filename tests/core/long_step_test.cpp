@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cloud/samples.h"
+#include "dilated/witness_search.h"
 #include "session/session.h"
 #include "surface/outer_region.h"
 
@@ -76,6 +77,69 @@ TEST(LongStep, AStepIsWhatIsCountedAlsoWhereItIsCut) {
         ASSERT_EQ(session.progress().steps_done, steps + 1);
     }
     EXPECT_EQ(session.progress().state, RunState::Finished);
+}
+
+/// So many searches for witnesses fit into one part of a step.
+constexpr std::size_t kSearches = Slice::kUnits / WitnessSearch::kUnits;
+
+// A landmark on a sphere of three dimensions has many simplices, and pumping asks each where it enters and leaves.
+TEST(LongStep, PumpingAndTheDilatedComplexAreCut) {
+    constexpr Step kSteps = 60;
+    const PointCloud cloud = shape("s3", 3000);
+    RunOptions options;
+    options.max_steps = kSteps;
+    options.dilated.pumps = true;
+    Session whole = Session::open(cloud, options).value();
+    whole.run({});
+    ASSERT_EQ(whole.timeline().family, Family::Dilated);
+
+    Session cut = Session::open(cloud, options).value();
+    const auto births = [&] {
+        std::size_t count = 0;
+        for (const SimplexTable& table : cut.timeline().simplices) count += table.size();
+        return count;
+    };
+    Progress progress = cut.progress();
+    std::uint64_t hash = 0;
+    std::uint32_t calls = 0;
+    std::uint32_t most_calls = 0;
+    std::size_t most_births = 0;
+    std::size_t born = 0;
+    while (progress.state == RunState::Preparing || progress.state == RunState::Running) {
+        const std::size_t before = births();
+        const Step steps = progress.steps_done;
+        progress = cut.run({.milliseconds = 0});
+        ++calls;
+        ASSERT_LE(births() - before, kSearches) << "in step " << steps + 1;
+        born += births() - before;
+        if (progress.steps_done == steps) {
+            if (steps > 0) {
+                ASSERT_EQ(cut.hash(), hash) << "what is not complete shows, in step " << steps + 1;
+            }
+        } else {
+            const std::uint32_t events = cut.timeline().pumps.back().events;
+            // Where a simplex enters or leaves is found by more searches than two of which fit into a part.
+            ASSERT_GE(calls, events) << "step " << progress.steps_done;
+            most_calls = std::max(most_calls, calls);
+            most_births = std::max(most_births, born);
+            calls = 0;
+            born = 0;
+        }
+        hash = cut.hash();
+    }
+    EXPECT_EQ(progress.steps_done, kSteps);
+    EXPECT_EQ(cut.hash(), whole.hash());
+    EXPECT_GT(most_calls, 20u) << "else the cloud does not ask what it is here to ask";
+    EXPECT_GT(most_births, 3 * kSearches) << "else the cloud does not ask what it is here to ask";
+    ASSERT_EQ(cut.timeline().pumps.size(), whole.timeline().pumps.size());
+    for (std::size_t i = 0; i < kSteps; ++i) {
+        const Pump& a = cut.timeline().pumps[i];
+        const Pump& b = whole.timeline().pumps[i];
+        ASSERT_EQ(a.before, b.before);
+        ASSERT_EQ(a.after, b.after);
+        ASSERT_EQ(a.events, b.events);
+        ASSERT_EQ(a.amplitude, b.amplitude);
+    }
 }
 
 // What does not show in the rows: a triangle that leaves K asks for each of its edges, one that comes back has its

@@ -103,6 +103,29 @@ describe('what a run appends', () => {
     parts.delete();
   });
 
+  test('tells what pumping came to, of each landmark once', () => {
+    const options = { family: 'dilated', pump: true, maxSteps: 60 } as const;
+    const whole = finishedRun(module, sample('torus', 2000), options);
+    const parts = finishedRun(module, sample('torus', 2000), options);
+    const [one] = allDeltas(whole, 1e9);
+    const pumps = [...(one?.pumps ?? [])];
+    expect(pumps).toHaveLength(4 * 60);
+    expect(allDeltas(parts, 50).flatMap((delta) => [...delta.pumps])).toEqual(pumps);
+    const numbers = (place: number): number[] => pumps.filter((_, i) => i % 4 === place);
+    const [weights, before, after, amplitude] = [numbers(0), numbers(1), numbers(2), numbers(3)];
+    expect(weights.filter((weight) => weight > 0).length).toBeGreaterThan(0);
+    after.forEach((measure, i) => {
+      expect(measure).toBeGreaterThanOrEqual(before[i] ?? NaN);
+      expect(measure > (before[i] ?? NaN)).toBe((weights[i] ?? NaN) > 0);
+    });
+    expect(Math.max(...amplitude)).toBeGreaterThan(0);
+    whole.delete();
+    parts.delete();
+    const plain = finishedRun(module, sample('torus', 100), { family: 'dilated', maxSteps: 9 });
+    expect(allDeltas(plain, 1e9)[0]?.pumps).toHaveLength(0);
+    plain.delete();
+  });
+
   test('is copied: later growth of the memory does not change it', () => {
     const run = finishedRun(module, sample('torus', 200));
     const delta = expected(run.delta(1e6));

@@ -158,6 +158,41 @@ describe('the worker', () => {
     expect(last).toMatchObject({ state: 'finished', endedAtNoise: false, stepCount: 600, noise: 0 });
   });
 
+  test.each(['auto', 'delaunay', 'witness', 'dilated'] as const)(
+    'an end at a plateau is one from which it goes on to the next, and to the end: %s',
+    (family) => {
+      const source = sample('torus', 300);
+      const maxSteps = 120;
+      runtime.handle({
+        kind: 'open',
+        runId: 1,
+        requestId: 1,
+        source,
+        options: { family, minLength: 0.4, maxSteps },
+      });
+      slices();
+      let id = 1000;
+      const ends: number[] = [];
+      for (;;) {
+        let last = delta(id++);
+        while (last.state === 'running') last = delta(id++);
+        expect(last.state).toBe('finished');
+        ends.push(last.stepCount);
+        if (!last.endedAtPlateau) break;
+        runtime.handle({ kind: 'runToNextPlateau', runId: 1, requestId: ++id });
+        expect(answerTo(id++).kind).toBe('lifted');
+        slices();
+      }
+      expect(ends.length).toBeGreaterThan(1);
+      expect(ends.at(-1)).toBe(maxSteps);
+      expect(ends).toEqual([...new Set(ends)].sort((a, b) => a - b));
+      // What did not end at a plateau ends where it was.
+      runtime.handle({ kind: 'runToNextPlateau', runId: 1, requestId: ++id });
+      slices();
+      expect(delta(id + 1)).toMatchObject({ state: 'finished', stepCount: maxSteps, endedAtPlateau: false });
+    },
+  );
+
   test('what it sends can be transferred as a whole', () => {
     open(1, 1);
     slices();

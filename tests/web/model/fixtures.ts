@@ -15,6 +15,7 @@ export function openedWith(parts: Partial<Opened> = {}): Opened {
     family: 'auto',
     nu: [1, 6, 6, 4],
     stepsPlanned: 10,
+    minLength: 0,
     estimatedBytes: 1,
     memoryLimitBytes: 2,
     stepsAffordable: 10,
@@ -44,6 +45,8 @@ export function deltaOf(firstStep: number, epsilon: readonly number[], parts: Pa
     memoryBytes: 0,
     noise: 0,
     endedAtNoise: false,
+    endedAtPlateau: false,
+    pumps: new Float64Array(),
     landmark: Uint32Array.from({ length: count }, (_, i) => firstStep + i - 1),
     epsilon: Float64Array.from(epsilon),
     shownFamily: new Uint8Array(count).fill(1),
@@ -67,8 +70,9 @@ export function recordOf(
   epsilon: readonly number[],
   state: 'running' | 'finished' = 'finished',
   planned = 10,
+  minLength = 0,
 ): RunRecord {
-  const record = new RunRecord(openedWith({ stepsPlanned: planned }));
+  const record = new RunRecord(openedWith({ stepsPlanned: planned, minLength }));
   record.append(deltaOf(1, epsilon, { state }));
   return record;
 }

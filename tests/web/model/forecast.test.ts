@@ -10,7 +10,7 @@ import {
   StepRate,
 } from '../../../web/src/model/forecast.ts';
 import { RunRecord } from '../../../web/src/model/record.ts';
-import { deltaOf, openedWith } from './fixtures.ts';
+import { deltaOf, openedWith, recordOf } from './fixtures.ts';
 
 const MB = 2 ** 20;
 
@@ -68,6 +68,19 @@ describe('a scan', () => {
     expect(ended.state).toBe('running');
     expect(scanInWords(ended, 1234)).toBe('');
   });
+});
+
+test('says where a plateau ends it', () => {
+  const record = recordOf([1, 0.5, 0.25], 'running', 10, 0.75);
+  expect(scanInWords(record, 0)).toBe('Stops at a plateau of length 0.750.');
+  record.append(deltaOf(4, [0.2], { state: 'finished', endedAtPlateau: true }));
+  expect(scanInWords(record, 0)).toBe('Stopped at a plateau of length 0.750.');
+  record.runToNextPlateau();
+  expect([record.state, record.plateausPassed]).toEqual(['running', 1]);
+  record.append(deltaOf(5, [0.1], { state: 'finished' }));
+  record.runToNextPlateau();
+  expect([record.state, record.plateausPassed]).toEqual(['finished', 1]);
+  expect(scanInWords(record, 0)).toBe('');
 });
 
 test('the rate is that of the last seconds', () => {

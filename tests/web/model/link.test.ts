@@ -21,6 +21,7 @@ const OPTIONS: RunOptions = {
   omegaBar: 0.125,
   zeta2: 0.5,
   sliver: 'normalized',
+  minLength: 0.75,
 };
 
 test('a link holds the recipe, all options, the step and the view', () => {
@@ -28,6 +29,7 @@ test('a link holds the recipe, all options, the step and the view', () => {
     source: { kind: 'sample', shape: 'torus', size: 5000, noise: 0.01 },
     options: OPTIONS,
     step: 312,
+    reached: 480,
     view: { axis: 'linear', pose: [1, -2, 3.25, 0, 0, 0.5] },
   };
   expect(linkedIn(`#${fragmentOf(linked)}`)).toEqual(linked);
@@ -35,6 +37,7 @@ test('a link holds the recipe, all options, the step and the view', () => {
     source: { kind: 'points', points: '2.-3.0.0.AA-_', name: 'my, points & more' },
     options: {},
     step: 0,
+    reached: 0,
     view: { axis: 'log' },
   };
   expect(linkedIn(fragmentOf(plain))).toEqual(plain);
@@ -57,6 +60,7 @@ test.each([
   ['#v=1', /cut off/],
   ['#v=1&shape=torus&n=5.5', /n=5.5/],
   ['#v=1&shape=torus&n=5&step=-1', /step=-1/],
+  ['#v=1&shape=torus&n=5&reached=x', /reached=x/],
   ['#v=1&shape=torus&n=5&nu=1,x', /nu=1,x/],
   ['#v=1&shape=torus&n=5&family=<b>', /family=/],
   ['#v=1&shape=torus&n=5&pump=yes', /pump=yes/],

@@ -1,4 +1,4 @@
-import { cardWords, type PlateauCard } from '../model/plateau-cards.ts';
+import { cardName, cardWords, type PlateauCard } from '../model/plateau-cards.ts';
 
 const SPOKEN_EVERY_MS = 1_000;
 
@@ -17,11 +17,20 @@ export class Announcer {
 
   /** The card whose shape is shown, if any. What the film leaves within a second goes unsaid. */
   at(card: PlateauCard | undefined): void {
-    const name = card && `${card.firstStep} ${card.family} ${card.betti.join()}`;
+    const name = card && cardName(card);
     if (!card || name === this.said || performance.now() - this.saidAt < SPOKEN_EVERY_MS) return;
-    this.said = name;
+    this.tell(card);
+  }
+
+  /** What was asked for is told in any case. */
+  tell(card: PlateauCard): void {
+    this.said = cardName(card);
     this.saidAt = performance.now();
     const { shape, counts, scale } = cardWords(card);
-    this.element.textContent = `Plateau: ${shape}: ${counts}, ${scale}`;
+    this.say(`Plateau: ${shape}: ${counts}, ${scale}`);
+  }
+
+  say(words: string): void {
+    this.element.textContent = words;
   }
 }

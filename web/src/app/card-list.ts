@@ -1,4 +1,4 @@
-import { cardWords, type PlateauCard } from '../model/plateau-cards.ts';
+import { cardName, cardWords, type PlateauCard } from '../model/plateau-cards.ts';
 import type { StepSummary } from '../model/record.ts';
 
 const NONE_YET = 'The first plateaus appear here while the run goes on.';
@@ -29,9 +29,9 @@ export class CardList {
   show(cards: readonly PlateauCard[], complete: boolean): void {
     this.empty.hidden = cards.length > 0;
     this.empty.textContent = complete ? NONE : NONE_YET;
-    const known = new Map(this.items.map((item) => [nameOf(item.card), item]));
+    const known = new Map(this.items.map((item) => [cardName(item.card), item]));
     const items = cards.map((card) => {
-      const item = known.get(nameOf(card)) ?? this.itemFor(card);
+      const item = known.get(cardName(card)) ?? this.itemFor(card);
       item.card = card;
       write(item);
       return item;
@@ -67,11 +67,6 @@ export class CardList {
     button.addEventListener('click', () => this.onChoose(item.card));
     return item;
   }
-}
-
-/** A plateau grows at its end. */
-function nameOf({ family, betti, firstStep }: PlateauCard): string {
-  return `${firstStep} ${family} ${betti.join()}`;
 }
 
 function write({ card, button }: Item): void {

@@ -21,16 +21,28 @@ export function sameShape(a: SourceChoice, b: SourceChoice): boolean {
   return b.kind === 'file' && a.file === b.file && a.columns?.join() === b.columns?.join();
 }
 
+function pumpingOf({ pump, omegaBar, zeta2, sliver }: RunOptions): string {
+  if (!pump) return 'no pumping';
+  const parts = ['pumping', sliver === 'normalized' ? 'normalized' : ''];
+  if (omegaBar !== undefined) parts.push(`ω̄ ${omegaBar}`);
+  if (zeta2 !== undefined) parts.push(`ζ₂ ${zeta2}`);
+  return parts.filter(Boolean).join(' ');
+}
+
 /** Every setting in words, in the order of the form. */
 function settingsOf({ choice, options, opened }: ShownRun): string[] {
   const sampled = choice.kind === 'sample' ? choice : undefined;
   return [
     opened.family === 'auto' ? 'automatic family' : `family ${opened.family}`,
-    `ν ${opened.nu.join(', ')}`,
+    opened.family === 'dilated' ? '' : `ν ${opened.nu.join(', ')}`,
+    opened.family === 'dilated' ? `dilation ${options.dilation ?? 0.2}` : '',
+    pumpingOf(options),
+    `Z/${opened.field}`,
     `first landmark ${options.first ?? 0}`,
     `ρ ${options.rho ?? 'off'}`,
     options.maxSteps === undefined ? 'all landmarks' : `stop at N ${options.maxSteps}`,
     `stop at ε ${options.untilEpsilon ?? 0}`,
+    options.minLength === undefined ? 'no stop at plateaus' : `stop at length ${options.minLength}`,
     sampled ? `${sampled.size} points` : '',
     `noise ${sampled?.noise ?? 0}`,
   ];
@@ -39,7 +51,7 @@ function settingsOf({ choice, options, opened }: ShownRun): string[] {
 /** What the earlier run had set otherwise. */
 function differences(earlier: ShownRun, now: ShownRun): string[] {
   const set = settingsOf(now);
-  return settingsOf(earlier).filter((setting, i) => setting !== set[i]);
+  return settingsOf(earlier).filter((setting, i) => setting !== '' && setting !== set[i]);
 }
 
 /** The plateaus before the last change of settings stay in sight, so that both can be compared. */

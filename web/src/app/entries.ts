@@ -1,12 +1,17 @@
 /** What is written into fields, as values; a sentence is thrown where it makes no sense. */
 
-/** A number above 0, or undefined where nothing or 0 is written. */
-export function positive(input: HTMLInputElement, name: string): number | undefined {
+/** A number from 0 on, or undefined where nothing is written. */
+export function fromZero(input: HTMLInputElement, name: string): number | undefined {
   const text = input.value.trim().replace(',', '.');
   if (text === '') return undefined;
   const value = Number(text);
   if (!Number.isFinite(value) || value < 0) throw new Error(`${name} takes a number from 0 on.`);
-  return value > 0 ? value : undefined;
+  return value;
+}
+
+/** A number above 0, or undefined where nothing or 0 is written. */
+export function positive(input: HTMLInputElement, name: string): number | undefined {
+  return fromZero(input, name) || undefined;
 }
 
 export function wholeFrom(least: number, input: HTMLInputElement, name: string): number | undefined {

@@ -5,6 +5,7 @@ import './cards.css';
 import './page.css';
 import './film-and-cards.css';
 import './tools.css';
+import './pumps.css';
 import './sheets.css';
 import './phone.css';
 import { byId } from './dom.ts';
@@ -105,7 +106,8 @@ listenToKeys({
   zoom: (factor) => page.shape?.zoom(factor),
   singleKeysOn: () => help.singleKeys,
   single: {
-    p: () => page.nextPlateau(),
+    p: () => page.walk.next(),
+    n: () => page.walk.nextSignificant(),
     o: () => fileInput.click(),
     g: () => gallery.open(),
     '1': () => page.tools.toggleLayer(0),
@@ -122,7 +124,10 @@ listenToKeys({
   },
 });
 
-matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => page.applyTheme());
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+  page.shape?.applyTheme();
+  page.diagram.requestPaint();
+});
 
 const { choice, options, memoryLimit } = startFrom(location.search);
 page.memoryLimit = memoryLimit;

@@ -32,6 +32,11 @@ export class MetricSettings {
     return this.metric.value !== 'euclidean';
   }
 
+  /** The numbers that can be counted are those of the family. */
+  forgetNumbers(): void {
+    this.lastBetti.value = '';
+  }
+
   /** Throws a sentence where an entry makes no sense. */
   asked(): Chosen {
     const { value } = this.metric;
@@ -60,8 +65,10 @@ export class MetricSettings {
     this.lastBetti.placeholder = String(opened.bettiCount - 1);
     this.field.value = String(options.field ?? '');
     const witness = opened.family === 'witness';
+    const embedded = !witness && opened.family !== 'dilated';
     byId('knn-row', HTMLElement).hidden = opened.metric !== 'geodesic';
     byId('box-row', HTMLElement).hidden = opened.metric !== 'periodic';
-    byId('max-dimension-row', HTMLElement).hidden = byId('field-row', HTMLElement).hidden = !witness;
+    byId('max-dimension-row', HTMLElement).hidden = !witness;
+    byId('field-row', HTMLElement).hidden = embedded;
   }
 }

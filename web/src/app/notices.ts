@@ -34,6 +34,7 @@ export class Notices {
   private readonly alert = byId('alert', HTMLElement);
   private readonly advice = byId('advice', HTMLElement);
   private readonly trouble = byId('trouble', HTMLElement);
+  private readonly home = this.trouble.parentElement;
   private readonly columns = byId('columns-form', HTMLFormElement);
   private readonly columnsEntry = byId('columns-entry', HTMLElement);
   private readonly warning = byId('warning', HTMLElement);
@@ -57,6 +58,12 @@ export class Notices {
 
   clear(): void {
     this.error('');
+    if (this.trouble.parentElement !== this.home) this.home?.prepend(this.trouble);
+  }
+
+  /** What is wrong with a setting is said beside it, until the next opening. */
+  nextTo(setting: Element): void {
+    setting.after(this.trouble);
   }
 
   /** What is worth knowing of points that could be read. */

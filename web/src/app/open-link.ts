@@ -17,8 +17,12 @@ export async function openLink(page: Page): Promise<boolean> {
   try {
     const linked = linkedIn(location.hash);
     if (!linked) return false;
-    const { options, step, view } = linked;
-    await page.open(await choiceOf(linked), options, step > 0 ? 'return' : 'answer', false, { step, view });
+    const { options, step, reached, view } = linked;
+    await page.open(await choiceOf(linked), options, step > 0 ? 'return' : 'answer', false, {
+      step,
+      reached,
+      view,
+    });
   } catch (error) {
     page.showEmpty();
     page.showError(error);

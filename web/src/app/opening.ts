@@ -10,6 +10,8 @@ export type Arrival =
   | 'wait'
   /** The playhead follows the computation and ends at the longest plateau: the answer. */
   | 'answer'
+  /** It follows the computation to the next significant plateau. */
+  | 'seek'
   /** It follows the computation to the scale where it was: other settings are compared there. */
   | 'return';
 
@@ -23,6 +25,8 @@ export interface Opening {
 export interface Restored {
   /** 0: where the answer is. */
   readonly step: number;
+  /** Steps that are computed also where plateaus end the run before. */
+  readonly reached: number;
   readonly view: ViewState;
 }
 

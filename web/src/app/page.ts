@@ -1,4 +1,3 @@
-import { History } from '../model/history.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
 import { grouped } from '../model/numbers.ts';
@@ -14,20 +13,23 @@ import { Film } from './film.ts';
 import { Notices } from './notices.ts';
 import { openingOf, type Arrival, type Opening, type Restored } from './opening.ts';
 import { pageClient } from './page-client.ts';
-import { RunFeed } from './run-feed.ts';
+import { PlateauWalk, type WalkScreen } from './plateau-walk.ts';
+import { PumpPanel } from './pump-panel.ts';
+import { RunFeed, type FeedListener } from './run-feed.ts';
 import { RunNotes } from './run-notes.ts';
 import { SettingsForm } from './settings-form.ts';
 import { shapeViewOrNone } from './shape-or-none.ts';
 import { cloudSource, sourceName, withDefaults, type SourceChoice } from './source.ts';
 import { StatusLine } from './status-line.ts';
 import { pageTransport } from './transport.ts';
+import { Travel } from './travel.ts';
 import { ViewTools } from './view-tools.ts';
 
 /** While a run grows: the computation needs the time between two pictures. */
 const PICTURES_EVERY_MS = 120;
 
 /** The page as a whole: one run that is shown, one playhead, and the way from one run to the next. */
-export class Page {
+export class Page implements FeedListener, WalkScreen {
   private readonly root = byId('plateau', HTMLElement);
   private readonly notices = new Notices();
   private readonly earlier = new EarlierRun();
@@ -49,17 +51,12 @@ export class Page {
     },
   );
   private readonly announcer = new Announcer(byId('spoken', HTMLElement));
-  private readonly settings = new SettingsForm(() => this.openAgain());
-  private readonly notes = new RunNotes(() => {
-    this.feed?.runPastNoise().then(
-      () => this.grown(),
-      (error: unknown) => this.showError(error),
-    );
-  });
+  private readonly settings = new SettingsForm((place) => this.openAgain(place));
+  private readonly notes = new RunNotes(() => this.goOn('runPastNoise'));
+  private readonly pumps = new PumpPanel();
+  readonly walk = new PlateauWalk(this, this.announcer);
   private readonly film = new Film(this);
-  private readonly history = new History<Opening>();
-  /** Where in the history what is shown stands; the history itself may be ahead. */
-  private shownPlace = -1;
+  private readonly travels = new Travel();
   private readonly sample = byId('sample', HTMLSelectElement);
 
   /** Bytes that a run may take, where that is less than the module allows. */
@@ -109,11 +106,8 @@ export class Page {
 
   /** Opens what was shown before (-1) or after (1), with its settings; also while such an opening is under way. */
   travel(by: -1 | 1): void {
-    const opening = this.history.peek(by);
-    if (!opening) return;
-    this.history.go(by);
-    this.markHistory();
-    void this.open(opening.choice, opening.options, this.arrivalAt(opening.choice), true);
+    const opening = this.travels.go(by);
+    if (opening) void this.open(opening.choice, opening.options, this.arrivalAt(opening.choice), true);
   }
 
   /** Opens another source. What is shown stays until the new one can be watched, and for good if it fails. */
@@ -130,7 +124,7 @@ export class Page {
     this.notices.clear();
     this.root.setAttribute('aria-busy', 'true');
     // An opening by undo or redo that this one replaces led nowhere.
-    if (!travelling) this.history.returnTo(this.shownPlace);
+    if (!travelling) this.travels.turnBack();
     // The old run must not take slices from the new one; it goes on if the new one fails.
     shown?.run.pause().catch(() => undefined);
     const begin = performance.now();
@@ -143,23 +137,22 @@ export class Page {
       }
       const { session } = run.opened;
       const opened = session ? openingOf(choice, session) : { choice, options };
-      this.show(new RunFeed(run, this.listener()), opened, session ? 'return' : arrival, begin);
-      const restored = session ? { step: session.step, view: viewOf(session.view) } : linked;
+      const restored = session ? { ...session, view: viewOf(session.view) } : linked;
+      const feed = new RunFeed(run, this, restored?.reached);
+      this.show(feed, opened, session ? 'return' : arrival, begin);
       if (restored) this.restore(restored);
       this.settings.show(opened.choice, opened.options, run.opened);
-      if (!travelling) this.history.add(opened);
-      this.shownPlace = this.history.place;
+      this.travels.arrive(travelling ? undefined : opened);
       this.notices.opened(run.opened);
     } catch (error) {
       if (opening.signal.aborted) return;
       shown?.run.resume().catch(() => undefined);
-      this.history.returnTo(this.shownPlace);
+      this.travels.turnBack();
       this.failedChoice = choice;
       this.markSample();
       this.showEmpty();
       this.showError(error, choice.kind === 'file' && choice.columns === undefined ? sourceName(choice) : '');
     }
-    this.markHistory();
     this.opening = undefined;
     this.root.removeAttribute('aria-busy');
   }
@@ -186,7 +179,7 @@ export class Page {
   play(): void {
     const { record } = this;
     if (!record || this.film.playing) return;
-    this.arrival = 'wait';
+    this.stay();
     if (this.step >= record.stepCount && record.state !== 'running') this.showStep(1);
     this.film.play();
   }
@@ -202,6 +195,12 @@ export class Page {
     else this.showStep(step, recent);
   }
 
+  /** The playhead follows the computation no longer. */
+  private stay(): void {
+    this.arrival = 'wait';
+    this.walk.leave();
+  }
+
   move(steps: number): void {
     this.goTo(this.step + steps);
   }
@@ -210,16 +209,16 @@ export class Page {
   goTo(step: number): void {
     const { record } = this;
     if (!record || record.stepCount === 0) return;
-    this.arrival = 'wait';
+    this.stay();
     this.film.pause();
     this.showStep(Math.min(record.stepCount, Math.max(1, step)));
   }
 
-  /** The next plateau along the film, the first one after the last. */
-  nextPlateau(): void {
-    const along = this.cards.map((card) => card.middleStep).sort((a, b) => a - b);
-    const next = along.find((step) => step > this.step) ?? along[0];
-    if (next !== undefined) this.goTo(next);
+  /** The playhead follows the computation; what ended at a plateau goes on. */
+  seek(): void {
+    this.film.pause();
+    this.arrival = 'seek';
+    if (this.record?.endedAtPlateau) this.goOn('runToNextPlateau');
   }
 
   set speed(factor: number) {
@@ -233,19 +232,24 @@ export class Page {
     if (!this.choice) this.root.dataset['runState'] = 'empty';
   }
 
-  applyTheme(): void {
-    this.shape?.applyTheme();
-    this.diagram.requestPaint();
-  }
-
-  private openAgain(): void {
+  /** `place`: the setting that was changed; what is wrong with it is said there. */
+  private openAgain(place: Element): void {
     if (!this.choice) return;
     try {
       const { choice, options } = this.settings.asked(this.choice);
       void this.open(choice, options, this.arrivalAt(choice));
+      this.notices.nextTo(place);
     } catch (error) {
+      this.notices.nextTo(place);
       this.showError(error);
     }
+  }
+
+  private goOn(how: 'runPastNoise' | 'runToNextPlateau'): void {
+    this.feed?.[how]().then(
+      () => this.grown(),
+      (error: unknown) => this.showError(error),
+    );
   }
 
   /** The same shape with other settings is looked at where it was, another one at its answer. */
@@ -279,6 +283,8 @@ export class Page {
     this.diagram.setRecord(feed.record, this.earlier.show(before, now));
     this.cardList.show([], false);
     this.announcer.restart();
+    this.walk.leave();
+    this.pumps.show(feed.record);
     this.transport.setSteps(1);
     this.status.show(feed.record, undefined, false);
     showLegend(feed.record.bettiCount);
@@ -301,26 +307,12 @@ export class Page {
     if (this.shape && pose) this.shape.pose = pose;
   }
 
-  private markHistory(): void {
-    byId('undo', HTMLButtonElement).disabled = !this.history.peek(-1);
-    byId('redo', HTMLButtonElement).disabled = !this.history.peek(1);
-  }
-
   /** The list of samples names what is shown, not what was tried. */
   private markSample(): void {
     this.sample.value = this.choice?.kind === 'sample' ? this.choice.shape : '';
   }
 
-  private listener() {
-    return {
-      grown: () => this.grown(),
-      cardsFound: (cards: readonly PlateauCard[]) => this.showCards(cards),
-      ended: (stopped: Failure | undefined) => this.ended(stopped),
-      failed: (error: unknown) => this.feedFailed(error),
-    };
-  }
-
-  private grown(): void {
+  grown(): void {
     const { record } = this;
     if (!record) return;
     const first = this.step === 0 && record.stepCount > 0;
@@ -330,7 +322,7 @@ export class Page {
       this.transport.setSteps(record.stepCount);
       this.diagram.requestPaint();
       if (record.stepCount > 0) {
-        if (this.arrival === 'answer') this.showStep(record.stepCount);
+        if (this.arrival === 'answer' || this.arrival === 'seek') this.showStep(record.stepCount);
         else if (this.arrival === 'return') this.showStep(this.stepReached(record));
         else if (first) this.showStep(1);
         if (this.arrival === 'play') this.play();
@@ -344,25 +336,32 @@ export class Page {
     return this.returnTo?.(record) ?? record.stepCount;
   }
 
-  private showCards(cards: readonly PlateauCard[]): void {
+  cardsFound(cards: readonly PlateauCard[]): void {
     const { record } = this;
     if (!record) return;
     this.cards = cards;
     this.diagram.setCards(cards);
     this.cardList.show(cards, record.ended);
+    this.pumps.show(record);
     if (this.step > 0) this.cardList.mark(record.summary(this.step));
+    if (this.arrival === 'seek') this.walk.look();
   }
 
-  private ended(stopped: Failure | undefined): void {
+  ended(stopped: Failure | undefined): void {
     const { following } = this;
     const answer = this.arrival === 'answer' ? this.cards[0]?.middleStep : undefined;
-    this.arrival = 'wait';
-    if (following && this.step > 0) this.showStep(answer ?? this.step);
+    if (this.arrival === 'seek') {
+      this.walk.ended();
+    } else {
+      this.arrival = 'wait';
+      if (following && this.step > 0) this.showStep(answer ?? this.step);
+    }
     if (stopped) this.showError(stopped.message);
   }
 
   /** The run is lost; what the record holds can still be looked at. */
-  private feedFailed(error: unknown): void {
+  failed(error: unknown): void {
+    this.stay();
     if (this.record) {
       this.record.state = 'stopped';
       this.grown();
@@ -378,7 +377,7 @@ export class Page {
   }
 
   private get following(): boolean {
-    return this.arrival === 'answer' || this.arrival === 'return';
+    return this.arrival !== 'play' && this.arrival !== 'wait';
   }
 
   /** `recent`: the step of a moment ago, while the film plays. */

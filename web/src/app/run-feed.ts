@@ -24,9 +24,11 @@ export class RunFeed {
   private pulling = false;
   private resting = false;
 
+  /** `reach`: so many steps are computed at least, past plateaus that would end the run before. */
   constructor(
     readonly run: RemoteRun,
     private readonly listener: FeedListener,
+    private readonly reach = 0,
   ) {
     this.record = new RunRecord(run.opened);
     this.cards = new CardStack(this.record);
@@ -69,6 +71,13 @@ export class RunFeed {
     this.start();
   }
 
+  /** The run goes on to the next plateau that is long enough, where it has ended at one. */
+  async runToNextPlateau(): Promise<void> {
+    await this.run.runToNextPlateau();
+    this.record.runToNextPlateau();
+    this.start();
+  }
+
   /** Ends the pulling and frees the run in the worker. */
   dispose(): void {
     this.stopped = true;
@@ -82,6 +91,10 @@ export class RunFeed {
       const delta = await this.run.fetchDelta();
       if (this.stopped) return;
       this.record.append(delta);
+      if (this.record.endedAtPlateau && this.record.stepCount < this.reach) {
+        await this.run.runToNextPlateau();
+        this.record.runToNextPlateau();
+      }
       this.listener.grown();
       if (this.record.ended || performance.now() >= cardsDue) {
         const plateaus = await this.run.fetchPlateaus();
@@ -89,7 +102,7 @@ export class RunFeed {
         this.listener.cardsFound(this.cards.ranked(plateaus));
         cardsDue = performance.now() + CARDS_EVERY_MS;
       }
-      // Asked again: the stop at the noise may have been lifted meanwhile.
+      // Asked again: a stop at the noise or at a plateau may have been lifted meanwhile.
       if (this.record.ended) {
         this.listener.ended(delta.stopped);
         return;

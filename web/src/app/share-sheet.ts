@@ -39,9 +39,10 @@ async function sharedPoints(run: ShownRun, state: Omit<Linked, 'source'>): Promi
 }
 
 /** The command that computes the run again; none where its points are on no disk. */
-function commandOf({ choice, options }: ShownRun): string {
+function commandOf({ choice, options, record }: ShownRun): string {
   const words = commandWords(options);
-  const tail = `${words === '' ? '' : ` ${words}`} --hash`;
+  const nth = record.plateausPassed > 0 ? ` --nth ${record.plateausPassed + 1}` : '';
+  const tail = `${words === '' ? '' : ` ${words}`}${nth} --hash`;
   if (choice.kind === 'file') {
     const columns = choice.columns?.length ? ` --columns ${choice.columns.join(',')}` : '';
     return `plateau run '${choice.file.name.replaceAll("'", "'\\''")}'${columns}${tail}`;
@@ -74,7 +75,8 @@ export class ShareSheet {
       return;
     }
     const { choice, options, record } = run;
-    const state = { options, step: page.currentStep, view: viewOf(page.viewState()) };
+    const reached = record.plateausPassed > 0 ? record.stepCount : 0;
+    const state = { options, step: page.currentStep, reached, view: viewOf(page.viewState()) };
     const { words, fragment }: Shared =
       choice.kind === 'sample'
         ? { words: WITH_LINK, fragment: fragmentOf({ ...state, source: choice }) }

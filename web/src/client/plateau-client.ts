@@ -68,6 +68,11 @@ export class RemoteRun {
     await this.send({ kind: 'runPastNoise', runId: this.runId });
   }
 
+  /** A run that ended at a plateau goes on to the next one that is long enough, or to its end. */
+  async runToNextPlateau(): Promise<void> {
+    await this.send({ kind: 'runToNextPlateau', runId: this.runId });
+  }
+
   async close(): Promise<void> {
     await this.send({ kind: 'close', runId: this.runId });
   }

@@ -83,7 +83,8 @@ export function progressInWords(record: RunRecord, rate: number | undefined): st
   );
   // The first landmarks change the lists of all points and say nothing of the pace of later ones.
   if (rate !== undefined && rate > 0 && record.stepCount >= record.frame.count / 100) {
-    parts.push(`${durationInWords((expectedEnd(record) - record.stepCount) / rate)} left`);
+    const most = record.minLength > 0 ? 'at most ' : '';
+    parts.push(`${most}${durationInWords((expectedEnd(record) - record.stepCount) / rate)} left`);
   }
   return parts.join(' · ');
 }
@@ -100,9 +101,9 @@ function roughly(count: number): string {
   return grouped(Number(count.toPrecision(2)));
 }
 
-/** What a scan will take, where its memory or its noise ends it before its last point; '' otherwise. */
+/** What a scan will take, and where a run ends before its last point by itself: memory, noise, a plateau; '' otherwise. */
 export function scanInWords(record: RunRecord, readMs: number): string {
-  const { stepsAffordable, stepsPlanned, noise, endedAtNoise } = record;
+  const { stepsAffordable, stepsPlanned, noise, endedAtNoise, minLength } = record;
   const sentences: string[] = [];
   const computing = !record.ended;
   if (stepsAffordable < stepsPlanned && computing) {
@@ -116,6 +117,8 @@ export function scanInWords(record: RunRecord, readMs: number): string {
   }
   if (endedAtNoise) sentences.push(`Stopped at the noise, ε = ${readable(noise)}.`);
   else if (noise > 0 && computing) sentences.push(`Stops at the noise, ε = ${readable(noise)}.`);
+  if (record.endedAtPlateau) sentences.push(`Stopped at a plateau of length ${readable(minLength)}.`);
+  else if (minLength > 0 && computing) sentences.push(`Stops at a plateau of length ${readable(minLength)}.`);
   if (record.agreesWithSession === false) {
     sentences.push('These steps are not those of the saved session: another version computed them.');
   }

@@ -16,11 +16,13 @@ export interface Linked {
   readonly options: RunOptions;
   /** 0: where the answer is. */
   readonly step: number;
+  /** Steps to compute also where plateaus end the run before; 0: none beyond the first end. */
+  readonly reached: number;
   readonly view: ViewState;
 }
 
 /** The fragment of a link, without its #. */
-export function fragmentOf({ source, options, step, view }: Linked): string {
+export function fragmentOf({ source, options, step, reached, view }: Linked): string {
   const pairs = new URLSearchParams({ v: VERSION });
   if (source.kind === 'sample') {
     pairs.set('shape', source.shape);
@@ -31,6 +33,7 @@ export function fragmentOf({ source, options, step, view }: Linked): string {
   }
   for (const [word, text] of wordsOf(options)) pairs.set(word, text);
   if (step > 0) pairs.set('step', String(step));
+  if (reached > 0) pairs.set('reached', String(reached));
   if (view.axis !== 'log') pairs.set('axis', view.axis);
   if (view.pose) pairs.set('pose', view.pose.map((value) => Number(value.toPrecision(5))).join(','));
   // Last: where a program cuts a link off, the points are what is missing, and that is noticed.
@@ -64,6 +67,7 @@ export function linkedIn(fragment: string): Linked | undefined {
         : { kind: 'sample', shape: shape ?? '', size: whole('n', 0), ...(noise > 0 ? { noise } : {}) },
     options: optionsOf(pairs),
     step: whole('step', 0),
+    reached: whole('reached', 0),
     view: {
       axis: pairs.get('axis') === 'linear' ? 'linear' : 'log',
       ...(pose.length === 6 && pose.every(Number.isFinite) ? { pose } : {}),

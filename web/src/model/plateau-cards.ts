@@ -168,6 +168,11 @@ function fewLandmarks(card: PlateauCard): boolean {
   return landmarksPerPiece(card) < FEW_LANDMARKS;
 }
 
+/** What a card is known by while its plateau grows at the end. */
+export function cardName({ family, betti, firstStep }: PlateauCard): string {
+  return `${firstStep} ${family} ${betti.join()}`;
+}
+
 export interface CardWords {
   readonly shape: string;
   readonly counts: string;

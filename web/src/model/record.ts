@@ -24,6 +24,17 @@ export interface Torsion {
   readonly betti: readonly number[];
 }
 
+/** What pumping a landmark came to. */
+export interface Pump {
+  readonly weightSquared: number;
+  /** The smallest sliver measure around it without a weight, 0 where it would be no vertex; and with the chosen one. */
+  readonly before: number;
+  readonly after: number;
+  /** The largest weight of all at its step, as a part of the distance to the nearest landmark. */
+  readonly amplitude: number;
+}
+const PUMP_NUMBERS = 4;
+
 /** What a step shows. */
 export interface StepSummary {
   readonly step: number;
@@ -51,6 +62,8 @@ export class RunRecord {
   readonly stepsAffordable: number;
   readonly estimatedBytes: number;
   readonly memoryLimitBytes: number;
+  /** The length of a plateau at which the run stops; 0: at none. */
+  readonly minLength: number;
   /** The landmarks as elements that never die. */
   readonly points = new LifespanStore(1, 0);
   readonly edges: LifespanStore;
@@ -64,6 +77,11 @@ export class RunRecord {
   /** The ε at which the run ends by itself; 0: nowhere, or not known yet. */
   noise = 0;
   endedAtNoise = false;
+  endedAtPlateau = false;
+  /** Plateaus at which it stopped and was let go on. */
+  plateausPassed = 0;
+  /** Landmarks whose weights were chosen; 0 where that is not done. */
+  pumpCount = 0;
   /** Of a session, once its steps are computed again: whether they are those that were saved. */
   agreesWithSession: boolean | undefined;
 
@@ -76,6 +94,8 @@ export class RunRecord {
   private readonly bettis = new ChunkedColumn<Uint32Array>((length) => new Uint32Array(length));
   private readonly otherBettis = new ChunkedColumn<Uint32Array>((length) => new Uint32Array(length));
 
+  private readonly pumps = new ChunkedColumn<Float64Array>((length) => new Float64Array(length));
+
   constructor(opened: Opened) {
     this.bettiCount = opened.bettiCount;
     this.otherField = opened.otherField;
@@ -85,6 +105,7 @@ export class RunRecord {
     this.stepsAffordable = opened.stepsAffordable;
     this.estimatedBytes = opened.estimatedBytes;
     this.memoryLimitBytes = opened.memoryLimitBytes;
+    this.minLength = opened.minLength;
     const tracks = opened.family === 'auto' ? 2 : 1;
     this.edges = new LifespanStore(2, tracks);
     this.triangles = new LifespanStore(3, tracks);
@@ -106,6 +127,8 @@ export class RunRecord {
     this.families.append(delta.shownFamily);
     this.bettis.append(delta.betti);
     this.otherBettis.append(delta.otherBetti);
+    this.pumps.append(delta.pumps);
+    this.pumpCount = this.pumps.length / PUMP_NUMBERS;
     this.extendBlocks(delta);
     this.appendSimplices(this.edges, delta.edges, delta.edgeDeath);
     this.appendSimplices(this.triangles, delta.triangles, delta.triangleDeath);
@@ -124,6 +147,7 @@ export class RunRecord {
     this.memoryBytes = delta.memoryBytes;
     this.noise = delta.noise;
     this.endedAtNoise = delta.endedAtNoise;
+    this.endedAtPlateau = delta.endedAtPlateau;
     this.agreesWithSession = delta.agreesWithSession;
   }
 
@@ -132,6 +156,23 @@ export class RunRecord {
     this.noise = 0;
     this.endedAtNoise = false;
     if (this.state === 'finished') this.state = 'running';
+  }
+
+  /** The run goes on after an end at a plateau. */
+  runToNextPlateau(): void {
+    if (!this.endedAtPlateau) return;
+    this.endedAtPlateau = false;
+    this.plateausPassed += 1;
+    this.state = 'running';
+  }
+
+  /** What pumping the landmark of a step came to; the step is at most `pumpCount`. */
+  pump(step: number): Pump {
+    const first = (step - 1) * PUMP_NUMBERS;
+    const [weightSquared = 0, before = 0, after = 0, amplitude = 0] = [0, 1, 2, 3].map((i) =>
+      this.pumps.at(first + i),
+    );
+    return { weightSquared, before, after, amplitude };
   }
 
   /** Input index (0-based) of the landmark of a step. */

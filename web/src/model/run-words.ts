@@ -40,6 +40,7 @@ const WORDS: readonly Word[] = [
   { word: 'omega-bar', option: 'omegaBar', read: number },
   { word: 'zeta2', option: 'zeta2', read: number },
   { word: 'sliver', option: 'sliver', read: name },
+  { word: 'min-length', option: 'minLength', read: number },
 ];
 
 /** The options that were given, as pairs of word and text; a flag is 1. */

@@ -58,6 +58,10 @@ export class CoreSession {
     unwrapped(this.run.runPastNoise());
   }
 
+  runToNextPlateau(): void {
+    unwrapped(this.run.runToNextPlateau());
+  }
+
   /** What was appended since the last call, in a size that a page digests within one frame. */
   delta(maxSimplices: number): Delta {
     return unwrapped(this.run.delta(maxSimplices));

@@ -44,6 +44,8 @@ export interface RunOptions {
   readonly zeta2?: number;
   /** Pumping: how flat a simplex is. */
   readonly sliver?: 'literal' | 'normalized';
+  /** Stop where a plateau becomes this long: the natural logarithm of the ratio of its ε; 0 = off. */
+  readonly minLength?: number;
   /** 0-based input index of the first landmark. */
   readonly first?: number;
   readonly maxSteps?: number;
@@ -115,6 +117,8 @@ export type WorkerRequest =
   | { readonly kind: 'resume'; readonly runId: number; readonly requestId: number }
   /** Lifts the stop at the noise: a run that ended there goes on. */
   | { readonly kind: 'runPastNoise'; readonly runId: number; readonly requestId: number }
+  /** A run that ended at a plateau goes on to the next one that is long enough, or to its end. */
+  | { readonly kind: 'runToNextPlateau'; readonly runId: number; readonly requestId: number }
   /** What was appended since the last answer; pulled by the page, at most one under way. */
   | { readonly kind: 'fetchDelta'; readonly runId: number; readonly requestId: number }
   | { readonly kind: 'fetchPlateaus'; readonly runId: number; readonly requestId: number }
@@ -195,6 +199,8 @@ export interface OpenedRun {
   readonly family: Family;
   readonly nu: readonly number[];
   readonly stepsPlanned: number;
+  /** The length of a plateau at which it stops; 0: at none. */
+  readonly minLength: number;
   /** What all planned steps are expected to take, and what the run may take. */
   readonly estimatedBytes: number;
   readonly memoryLimitBytes: number;
@@ -244,15 +250,22 @@ export interface Delta {
   readonly noise: number;
   /** Finished because epsilon fell to the noise. */
   readonly endedAtNoise: boolean;
+  /** Finished because a plateau has become as long as was asked for. */
+  readonly endedAtPlateau: boolean;
   /** One entry a new step. */
   readonly landmark: Uint32Array;
   readonly epsilon: Float64Array;
-  /** 0 witness, 1 delaunay, 2 surface. */
+  /** 0 witness, 1 delaunay, 2 surface, 4 dilated. */
   readonly shownFamily: Uint8Array;
   /** `bettiCount` numbers a new step. */
   readonly betti: Uint32Array;
   /** The same over Z/otherField; where they differ there is torsion. Empty where there can be none. */
   readonly otherBetti: Uint32Array;
+  /**
+   * Where landmarks are pumped, of each new one: the square of its weight, the smallest sliver measure around it
+   * before (without a weight) and after, and the relative amplitude of all weights at its step. Else empty.
+   */
+  readonly pumps: Float64Array;
   /** Two vertices (steps, ascending) an edge; the birth is the last vertex. */
   readonly edges: Uint32Array;
   /** Death in track 0 and track 1 of the new edges, 0xFFFFFFFF while alive at stepCount; track 1 is empty unless family is auto. */

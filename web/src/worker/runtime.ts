@@ -77,9 +77,10 @@ export class WorkerRuntime {
         this.wake();
         return;
       }
-      case 'runPastNoise': {
+      case 'runPastNoise':
+      case 'runToNextPlateau': {
         const entry = this.entry(runId);
-        entry.core.runPastNoise();
+        entry.core[request.kind]();
         // A run that has ended elsewhere ends again with its next slice.
         if (entry.phase === 'done') entry.phase = 'running';
         this.send({ kind: 'lifted', runId, requestId });
