@@ -7,7 +7,11 @@ export class Announcer {
   private saidAt = -Infinity;
   private said: string | undefined;
 
-  constructor(private readonly element: HTMLElement) {}
+  /** `what`: with what each sentence begins. */
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly what = 'Plateau',
+  ) {}
 
   /** Another run: what was said is over. */
   restart(): void {
@@ -22,6 +26,6 @@ export class Announcer {
     this.said = name;
     this.saidAt = performance.now();
     const { shape, counts, scale } = cardWords(card);
-    this.element.textContent = `Plateau: ${shape}: ${counts}, ${scale}`;
+    this.element.textContent = `${this.what}: ${shape}: ${counts}, ${scale}`;
   }
 }

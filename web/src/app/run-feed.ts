@@ -23,13 +23,21 @@ export class RunFeed {
   private stopped = false;
   private pulling = false;
   private resting = false;
+  private readonly listeners: Set<FeedListener>;
 
   constructor(
     readonly run: RemoteRun,
-    private readonly listener: FeedListener,
+    ...listeners: readonly FeedListener[]
   ) {
+    this.listeners = new Set(listeners);
     this.record = new RunRecord(run.opened);
     this.cards = new CardStack(this.record);
+  }
+
+  /** Somebody else is told, too, until the function that is returned is called. */
+  alsoTell(listener: FeedListener): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
   }
 
   start(): void {
@@ -37,7 +45,7 @@ export class RunFeed {
     this.pulling = true;
     this.pull()
       .catch((error: unknown) => {
-        if (!this.stopped) this.listener.failed(error);
+        if (!this.stopped) this.tell((listener) => listener.failed(error));
       })
       .finally(() => {
         this.pulling = false;
@@ -58,7 +66,7 @@ export class RunFeed {
     if (this.record.ended) return;
     this.run.resume().then(
       () => this.start(),
-      (error: unknown) => this.listener.failed(error),
+      (error: unknown) => this.tell((listener) => listener.failed(error)),
     );
   }
 
@@ -76,22 +84,27 @@ export class RunFeed {
     this.run.close().catch(() => undefined);
   }
 
+  private tell(what: (listener: FeedListener) => void): void {
+    for (const listener of [...this.listeners]) what(listener);
+  }
+
   private async pull(): Promise<void> {
     let cardsDue = 0;
     while (!this.stopped && !this.resting) {
       const delta = await this.run.fetchDelta();
       if (this.stopped) return;
       this.record.append(delta);
-      this.listener.grown();
+      this.tell((listener) => listener.grown());
       if (this.record.ended || performance.now() >= cardsDue) {
         const plateaus = await this.run.fetchPlateaus();
         if (this.stopped) return;
-        this.listener.cardsFound(this.cards.ranked(plateaus));
+        const cards = this.cards.ranked(plateaus);
+        this.tell((listener) => listener.cardsFound(cards));
         cardsDue = performance.now() + CARDS_EVERY_MS;
       }
       // Asked again: the stop at the noise may have been lifted meanwhile.
       if (this.record.ended) {
-        this.listener.ended(delta.stopped);
+        this.tell((listener) => listener.ended(delta.stopped));
         return;
       }
       await new Promise((resolve) => setTimeout(resolve, PULL_MS));
