@@ -38,6 +38,8 @@ test('the tarball holds the core, the element, types, licences and source, and n
     'LICENSE',
     'README.md',
     'browser.js',
+    'bunny-points.js',
+    'color-distances.js',
     'licences.txt',
     'node.js',
     'package.json',

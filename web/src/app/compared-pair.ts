@@ -8,16 +8,15 @@ import { createComparedFilm, createSecondStage, createSideParts } from './compar
 import { projectionInWords } from './dimension-tools.ts';
 import { byId, setNotice, showLegend } from './dom.ts';
 import { samePoints, type ShownRun } from './earlier-run.ts';
-import { Film } from './film.ts';
+import { Film, type FilmScreen } from './film.ts';
 import { make } from './make.ts';
 import type { Page } from './page.ts';
-import type { Player } from './player.ts';
 import type { FeedListener } from './run-feed.ts';
 import { RunNotes } from './run-notes.ts';
 import { ScaleBar } from './scale-bar.ts';
 import { shapeViewIn } from './shape-or-none.ts';
 import { heldTogether, StatusLine } from './status-line.ts';
-import { Transport } from './transport.ts';
+import { Transport, type TransportActions } from './transport.ts';
 
 /** What the buttons of a comparison ask for. */
 export interface PairActions {
@@ -37,7 +36,7 @@ export interface PairView {
  * Two runs under one playhead, which stands at a scale and not at a step. The first is that of the page: its stage
  * stays where it is, and what else is shown of it makes room.
  */
-export class ComparedPair implements Player {
+export class ComparedPair implements FilmScreen, TransportActions {
   readonly film = new Film(this);
   private readonly merged: MergedScales;
   private readonly first: ComparedSide;
@@ -262,17 +261,14 @@ export class ComparedPair implements Player {
   }
 
   private listener(side: ComparedSide): FeedListener {
-    const ofSecond = side === this.second;
     return {
       grown: () => this.grown(side),
       cardsFound: (cards) => side.showCards(cards),
-      ended: (stopped) => {
-        if (stopped && ofSecond) this.page.showError(`Run B: ${stopped.message}`);
-      },
-      failed: (error) => {
+      ended: () => undefined,
+      // What the record holds can still be looked at.
+      failed: () => {
         side.record.state = 'stopped';
         this.grown(side);
-        if (ofSecond) this.page.showError(error);
       },
     };
   }

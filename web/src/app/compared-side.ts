@@ -5,7 +5,7 @@ import type { RunRecord } from '../model/record.ts';
 import { scaleOf, stepAt } from '../model/scale-axis.ts';
 import { Announcer } from './announcer.ts';
 import type { Letter, SideParts } from './comparison-parts.ts';
-import { settingsOf, type ShownRun } from './earlier-run.ts';
+import type { ShownRun } from './earlier-run.ts';
 import { make } from './make.ts';
 import { RunScreen } from './run-screen.ts';
 import { sourceName } from './source.ts';
@@ -99,11 +99,17 @@ export class ComparedSide {
   }
 
   private showSettings(): void {
-    const [family = '', nu = '', first = ''] = settingsOf(this.run);
     const memory = memoryInWords(this.record.memoryBytes);
     const more = make('span', { class: 'roomy' }, ' in use');
-    this.parts.settings.replaceChildren([family, nu, first, memory].join(' · '), more);
+    this.parts.settings.replaceChildren(`${settingsInWords(this.run)} · ${memory}`, more);
   }
+}
+
+/** "automatic family · ν 1, 6, 6, 4 · first landmark 0". */
+function settingsInWords({ opened: { family, nu }, options: { first, dilation } }: ShownRun): string {
+  const followed = family === 'auto' ? 'automatic family' : `family ${family}`;
+  const reach = family === 'dilated' ? `dilation ${dilation ?? 0.2}` : `ν ${nu.join(', ')}`;
+  return `${followed} · ${reach} · first landmark ${first ?? 0}`;
 }
 
 /** Where the middle of a plateau lies; a step whose ε is 0 has no other place than its own. */

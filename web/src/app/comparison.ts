@@ -5,7 +5,7 @@ import { byId } from './dom.ts';
 import type { ShownRun } from './earlier-run.ts';
 import type { Opening } from './opening.ts';
 import type { Page } from './page.ts';
-import { RunFeed } from './run-feed.ts';
+import { RunFeed, type FeedListener } from './run-feed.ts';
 import { cloudSource, withDefaults } from './source.ts';
 
 /** With less than this no second run can begin. */
@@ -49,7 +49,7 @@ export class Comparison {
         );
       const asked = withDefaults(second.choice, second.options, left);
       const run = await page.client.open(await cloudSource(second.choice), asked, signal);
-      const feed = new RunFeed(run);
+      const feed = new RunFeed(run, this.troubles());
       // A session brings its own settings.
       const options = run.opened.session?.options ?? second.options;
       const { choice } = second;
@@ -77,6 +77,18 @@ export class Comparison {
     this.shown = undefined;
     this.page.goTo(step);
     if (focused) byId('open-compare', HTMLElement).focus();
+  }
+
+  /** What goes wrong with the second run, said as of it. */
+  private troubles(): FeedListener {
+    return {
+      grown: () => undefined,
+      cardsFound: () => undefined,
+      ended: (stopped) => {
+        if (stopped) this.page.showError(`Run B: ${stopped.message}`);
+      },
+      failed: (error) => this.page.showError(error),
+    };
   }
 
   private show(first: ShownRun, second: ShownRun, view: PairView | undefined): void {

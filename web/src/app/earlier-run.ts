@@ -31,7 +31,7 @@ export function samePoints(a: SourceChoice, b: SourceChoice): boolean {
 }
 
 /** Every setting in words, in the order of the form. */
-export function settingsOf({ choice, options, opened }: ShownRun): string[] {
+function settingsOf({ choice, options, opened }: ShownRun): string[] {
   const sampled = choice.kind === 'sample' ? choice : undefined;
   return [
     opened.family === 'auto' ? 'automatic family' : `family ${opened.family}`,

@@ -23,10 +23,10 @@ import { listenToKeys } from './keyboard.ts';
 import { Page } from './page.ts';
 import { workOffline } from './offline.ts';
 import { acceptPastes } from './paste.ts';
-import type { Player } from './player.ts';
 import { SAMPLES, type Sample } from './samples.ts';
 import { startFrom, type SourceChoice } from './source.ts';
 import { explainTerms } from './term-tips.ts';
+import type { TransportActions } from './transport.ts';
 import type { RunOptions } from '../worker/protocol.ts';
 
 const page = new Page();
@@ -58,7 +58,7 @@ function openSample({ shape, size, options = {} }: Sample): void {
   open({ kind: 'sample', shape, size }, options);
 }
 
-function player(): Player {
+function player(): TransportActions {
   return comparison.pair ?? page;
 }
 
@@ -141,7 +141,7 @@ listenToKeys({
   zoom: (factor) => shapeInFocus()?.zoom(factor),
   singleKeysOn: () => help.singleKeys,
   single: {
-    p: () => player().nextPlateau(),
+    p: () => (comparison.pair ?? page).nextPlateau(),
     o: () => fileInput.click(),
     g: () => gallery.open(),
     '1': () => page.tools.toggleLayer(0),

@@ -27,9 +27,9 @@ export class RunFeed {
 
   constructor(
     readonly run: RemoteRun,
-    ...listeners: readonly FeedListener[]
+    listener: FeedListener,
   ) {
-    this.listeners = new Set(listeners);
+    this.listeners = new Set([listener]);
     this.record = new RunRecord(run.opened);
     this.cards = new CardStack(this.record);
   }

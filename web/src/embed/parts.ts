@@ -1,4 +1,3 @@
-import { icon, make } from '../app/make.ts';
 import {
   createCards,
   createDiagramBox,
@@ -7,6 +6,7 @@ import {
   createSlider,
   createTransport,
 } from '../app/run-parts.ts';
+import { icon, make } from './dom.ts';
 
 /** Where the licence is kept and what it asks for: beside this program. */
 function credit(): HTMLElement {
