@@ -326,6 +326,53 @@ test('by keyboard alone: opened, changed, moved, closed', async ({ page }) => {
   await expect(run(page, 'B')).toHaveCount(0);
 });
 
+/** How much of the right end of a diagram is hatched. */
+async function hatching(page: Page, letter: 'A' | 'B'): Promise<number> {
+  return page.getByRole('img', { name: `run ${letter}` }).evaluate((diagram) => {
+    const canvas = diagram.querySelector('canvas');
+    const hatch = getComputedStyle(diagram).getPropertyValue('--hatch').trim();
+    const wanted = [1, 3, 5].map((at) => parseInt(hatch.slice(at, at + 2), 16));
+    if (!canvas) return 0;
+    const [from, width] = [Math.round(canvas.width * 0.9), Math.round(canvas.width * 0.07)];
+    const pixels = canvas.getContext('2d')?.getImageData(from, 0, width, canvas.height).data ?? [];
+    let count = 0;
+    for (let i = 0; i + 3 < pixels.length; i += 4)
+      if (wanted.every((value, k) => Math.abs(value - (pixels[i + k] ?? 0)) < 12)) count += 1;
+    return count;
+  });
+}
+
+test('what is not computed yet is hatched on both; what has ended is not', async ({ page }) => {
+  await page.goto('./?sample=tanglecube&n=30000');
+  await expect.poll(async () => Number(await state(page, 'steps'))).toBeGreaterThan(100);
+  await page.getByRole('button', { name: 'Compare', exact: true }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Compare', exact: true }).click();
+  for (const letter of ['A', 'B'] as const)
+    await expect.poll(() => hatching(page, letter), { message: letter }).toBeGreaterThan(40);
+  for (const letter of ['A', 'B'] as const)
+    await expect(run(page, letter)).toHaveAttribute('data-run-state', 'running');
+  // A playhead beyond what is computed shows the last step that there is, and follows it.
+  await page.keyboard.press('End');
+  await expect.poll(async () => Number(await data(run(page, 'B'), 'step'))).toBeGreaterThan(20);
+  await page.getByRole('button', { name: 'Close comparison' }).click();
+  await expect.poll(async () => Number(await state(page, 'steps'))).toBeGreaterThan(400);
+
+  await openPaused(page, 'torus', 150);
+  await compare(page, { 'Points of run B': 'sphere', 'How many': '60' });
+  await expect.poll(() => hatching(page, 'A')).toBeLessThan(10);
+  await expect.poll(() => hatching(page, 'B')).toBeLessThan(10);
+});
+
+test('both runs share the memory: where none is left, a sentence says so', async ({ page }) => {
+  await page.goto('./?sample=torus&n=150&memory=17');
+  await expect(root(page)).toHaveAttribute('data-run-state', 'finished');
+  await page.getByRole('button', { name: 'Compare', exact: true }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Compare', exact: true }).click();
+  await expect(page.getByRole('alert')).toContainText(/takes the memory of this page \(17\sMB\)/);
+  await expect(run(page, 'B')).toHaveCount(0);
+  await expect(root(page)).not.toHaveAttribute('aria-busy');
+});
+
 /** What axe finds, best practices included. */
 async function complaints(page: Page): Promise<string[]> {
   await page.evaluate(AXE);
