@@ -4,7 +4,10 @@ import { defineConfig, type Plugin } from 'vite';
 const root = fileURLToPath(new URL('.', import.meta.url));
 const from = (path: string): string => `${root}src/${path}`;
 
-/** Name of the built file -> where it begins. Each is one ES module that needs nothing but plateau.wasm beside it. */
+/**
+ * Name of the built file -> where it begins. Each is one ES module that needs nothing but plateau.wasm beside it; the
+ * measured shapes are files of their own, which the element loads when they are asked for.
+ */
 const entries: Readonly<Record<string, string>> = {
   node: from('package/node.ts'),
   browser: from('package/browser.ts'),
@@ -46,7 +49,10 @@ export default defineConfig(({ mode }) => ({
     minify: mode !== 'node',
     assetsInlineLimit: 0,
     lib: { entry: { [mode]: entries[mode] ?? '' }, formats: ['es'] },
-    rolldownOptions: { external: [/^node:/], output: { minify: mode !== 'node' } },
+    rolldownOptions: {
+      external: [/^node:/],
+      output: { minify: mode !== 'node', chunkFileNames: '[name].js' },
+    },
     chunkSizeWarningLimit: 900,
   },
 }));

@@ -9,7 +9,11 @@ export const packageFolder = join(root, 'build', 'package');
 /** Programs of their own; `frame` is that of the page for iframes and not part of the package. */
 const programs = ['node', 'browser', 'plateau-view', 'frame'];
 /** What stands beside the element wherever it is served. */
-const besideElement = ['plateau-view.js', 'plateau.wasm', 'licences.txt', 'source.tar.gz'];
+const besideElement = [
+  ...['plateau-view.js', 'plateau.wasm', 'licences.txt', 'source.tar.gz'],
+  // Loaded when the shape is asked for.
+  ...['bunny-points.js', 'color-distances.js'],
+];
 
 function manifest() {
   const { name, version, description, license } = JSON.parse(

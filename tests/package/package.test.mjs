@@ -38,6 +38,8 @@ test('the tarball holds the core, the element, types, licences and source, and n
     'LICENSE',
     'README.md',
     'browser.js',
+    'bunny-points.js',
+    'color-distances.js',
     'licences.txt',
     'node.js',
     'package.json',
@@ -111,6 +113,10 @@ test('a bundler takes the module along', () => {
     .filter((name) => name.endsWith('.js'))
     .map((name) => readFileSync(join(installed.folder, 'dist/assets', name), 'utf8'));
   assert.ok(programs.some((text) => text.includes(modules[0])));
+  // The measured shapes come along, in files of their own.
+  const bunny = built.filter((name) => name.startsWith('bunny-points'));
+  assert.equal(bunny.length, 1, built.join(' '));
+  assert.ok(programs.some((text) => text.includes(bunny[0])));
 });
 
 /** Runs the module itself through a cloud: nothing of the package is in between. */
@@ -124,6 +130,16 @@ async function hashOfModule(source, options) {
 }
 
 const circle = Array.from({ length: 90 }, (_, i) => [Math.cos(i * i), Math.sin(i * i) / 3, (i % 7) / 10]);
+
+test('torsion is told with the numbers over the other field, and named', async () => {
+  const run = await plateau.openCloud({ shape: 'klein', size: 2500 }, { maxSteps: 150 });
+  const bottle = (await run.plateaus()).find(({ shape }) => shape === 'Klein-bottle-like shape');
+  assert.deepEqual(bottle?.betti, [1, 2, 1, 0]);
+  assert.deepEqual(bottle?.torsion, { field: 3, betti: [1, 1, 0, 0] });
+  for await (const { step, torsion } of run)
+    if (step === bottle.middleStep) assert.deepEqual(torsion, bottle.torsion);
+  await run.close();
+});
 
 test('steps, plateaus and files are those of the module', async () => {
   const options = { family: 'delaunay', nu: [1, 2, 3, 4] };

@@ -122,6 +122,34 @@ test('by iframe, with its attributes in the address', async ({ page, baseURL }) 
   await expect(frame.locator('.view')).toHaveAttribute('data-betti', '1,1');
 });
 
+test('measured shapes are loaded when they are asked for; torsion is told', async ({ page }) => {
+  const events = await rememberEvents(page);
+  const programs: string[] = [];
+  page.on('request', (request) => programs.push(request.url().replace(/^.*\//, '')));
+  const element = (shape: string, size: number): string =>
+    `<plateau-view id="a" shape="${shape}" size="${size}" panels="diagram"></plateau-view>`;
+  await page.goto(foreign.page('/bunny', element('bunny', 700)));
+  await finished(page, 'a');
+  expect(programs).toContain('bunny-points.js');
+  expect(programs).not.toContain('color-distances.js');
+  const last = async (type: string) => (await events()).filter((event) => event.type === type).at(-1)?.detail;
+  expect(await last('ready')).toMatchObject({ name: 'bunny', points: 700, dimension: 3, family: 'auto' });
+  await page.goto(foreign.page('/colors', element('colors', 200)));
+  await finished(page, 'a');
+  expect(programs).toContain('color-distances.js');
+  expect(await last('ready')).toMatchObject({ name: 'colors', points: 200, dimension: 0, nu: [1, 5, 6, 6] });
+  await page.goto(foreign.page('/klein', element('klein', 2500)));
+  await expect(view(page, 'a')).toHaveAttribute('data-run-state', 'finished');
+  expect(await view(page, 'a').getAttribute('data-steps')).toBe('400');
+  const plateaus = await own<{ shape: string; torsion?: object }[]>(page, 'a', 'plateaus');
+  const bottle = plateaus.find(({ torsion }) => torsion);
+  expect(bottle).toMatchObject({
+    shape: 'Klein-bottle-like shape',
+    torsion: { field: 3, betti: [1, 1, 0, 0] },
+  });
+  expect((await events()).filter(({ type }) => type === 'error')).toEqual([]);
+});
+
 test('starts when it is scrolled into view, stops when it is not, and goes on', async ({ page }) => {
   const program = await watchProgram(page);
   await page.goto(

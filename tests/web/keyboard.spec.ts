@@ -270,6 +270,7 @@ for (const [sheet, key, opener] of [
   ['Gallery', 'g', 'Gallery'],
   ['Help', '?', 'Help'],
   ['Share', 's', 'Share'],
+  ['Compare', 'v', 'Compare'],
 ] as const) {
   test(`the sheet ${sheet}: reached, closed and left by keyboard alone`, async ({ page }) => {
     await openPaused(page, 'torus', 60);
@@ -320,6 +321,7 @@ const KEYS: Readonly<
   X: { press: 'x', single: true, seen: 'section' },
   L: { press: 'l', single: true, seen: 'axis' },
   S: { press: 's', single: true, seen: 'share' },
+  V: { press: 'v', single: true, seen: 'compare' },
   '?': { press: '?', single: true, seen: 'help' },
 };
 /** These show in the chooser of the browser and in the picture, and have tests of their own. */

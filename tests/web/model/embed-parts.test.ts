@@ -1,6 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { SAMPLES } from '../../../web/src/app/samples.ts';
 import { nameOf, optionsFor } from '../../../web/src/embed/element-cloud.ts';
+import { plateauDetail } from '../../../web/src/embed/events.ts';
 import { hostTheme } from '../../../web/src/embed/host-theme.ts';
 import { settingsOf, type Settings } from '../../../web/src/embed/settings.ts';
 import { npyOf, sourceOf } from '../../../web/src/package/cloud.ts';
@@ -117,4 +119,54 @@ test('names of what is opened; a scan ends at its noise, a shape does not', () =
   expect(nameOf({ kind: 'points', points: new Float64Array(0), dimension: 3 })).toBe('points');
   expect(optionsFor({ kind: 'address', address: 'a.ply' }, {})).toEqual({ noiseStopFrom: 20_000 });
   expect(optionsFor({ kind: 'shape', shape: 'torus', size: 9 }, { nu: [1] })).toEqual({ nu: [1] });
+});
+
+describe('the guide', () => {
+  const words: Readonly<Record<string, (value: unknown) => string>> = {
+    family: (value) => `family \`${String(value)}\``,
+    maxSteps: (value) => `${String(value)} steps`,
+    metric: () => 'distances instead of coordinates',
+    nu: (value) => `ν ${(value as readonly number[]).join(', ')}`,
+    untilEpsilon: (value) => `until ε ${String(value)}`,
+  };
+  const guide = readFileSync('docs/embed.md', 'utf8');
+
+  test('lists every shape of the gallery with its size and settings', () => {
+    const rows = SAMPLES.map(({ shape, size, options = {} }) => {
+      const settings = Object.entries(options).map(([name, value]) => words[name]?.(value) ?? name);
+      return `| \`${shape}\` | ${size.toLocaleString('en')} | ${settings.join(', ')} |`;
+    });
+    const table = /\| `shape` \| Points \| Settings \|\n\|[-|]+\|\n((?:\|.*\n)+)/.exec(guide)?.[1] ?? '';
+    expect(table.trim().split('\n')).toEqual(rows);
+  });
+
+  test('names the other shapes of the core', () => {
+    const core = readFileSync('core/cloud/samples.cpp', 'utf8');
+    const known = [...core.matchAll(/^ {4}\{\{"([a-z0-9-]+)", \d/gm)].map(([, name = '']) => name);
+    expect(known.length).toBeGreaterThan(20);
+    const [, others = ''] = /Other names that the core knows, such as (.*?), have/s.exec(guide) ?? [];
+    const named = [...others.matchAll(/`([^`]+)`/g)].map(([, name]) => name);
+    const listed = SAMPLES.map(({ shape }) => shape);
+    expect(named).toEqual(known.filter((name) => !listed.includes(name)));
+  });
+});
+
+test('a shape has the settings of the gallery unless others are asked for', () => {
+  const shape = (name: string) => ({ kind: 'shape', shape: name, size: 100 }) as const;
+  expect(optionsFor(shape('mobius'), {})).toEqual({ family: 'dilated', maxSteps: 400 });
+  expect(optionsFor(shape('mobius'), { family: 'auto' })).toEqual({ family: 'auto', maxSteps: 400 });
+  expect(optionsFor(shape('colors'), {})).toMatchObject({ metric: 'matrix', untilEpsilon: 1 });
+  expect(optionsFor(shape('torus'), { nu: [1, 4, 5, 5] })).toEqual({ nu: [1, 4, 5, 5] });
+});
+
+test('a plateau with torsion says so', () => {
+  const card = {
+    ...{ firstStep: 5, lastStep: 20, middleStep: 10, epsilonFirst: 0.5, length: 2, runs: 1 },
+    ...{ family: 'dilated', betti: [1, 2, 1, 0] },
+  } as const;
+  expect(plateauDetail(card, 1)).toMatchObject({ rank: 1, shape: 'torus-like hollow shape' });
+  expect(plateauDetail(card, 1)).not.toHaveProperty('torsion');
+  expect(plateauDetail(card, 1)).not.toHaveProperty('runs');
+  const torsion = { field: 3, betti: [1, 1, 0, 0] };
+  expect(plateauDetail({ ...card, torsion }, 2)).toMatchObject({ torsion, shape: 'Klein-bottle-like shape' });
 });

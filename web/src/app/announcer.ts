@@ -7,7 +7,11 @@ export class Announcer {
   private saidAt = -Infinity;
   private said: string | undefined;
 
-  constructor(private readonly element: HTMLElement) {}
+  /** `what`: with what each sentence begins. */
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly what = 'Plateau',
+  ) {}
 
   /** Another run: what was said is over. */
   restart(): void {
@@ -27,7 +31,7 @@ export class Announcer {
     this.said = cardName(card);
     this.saidAt = performance.now();
     const { shape, counts, scale } = cardWords(card);
-    this.say(`Plateau: ${shape}: ${counts}, ${scale}`);
+    this.say(`${this.what}: ${shape}: ${counts}, ${scale}`);
   }
 
   say(words: string): void {

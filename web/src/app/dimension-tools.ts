@@ -13,6 +13,7 @@ export class DimensionTools {
   private readonly note = byId('projection', HTMLElement);
   private frame: CloudFrame | undefined;
   private shape: ShapeView | undefined;
+  private beside: ShapeView | undefined;
   private choice: AxisChoice = FIRST_AXES;
   private angle = 0;
   private before: number | undefined;
@@ -31,6 +32,12 @@ export class DimensionTools {
 
   attach(shape: ShapeView | undefined): void {
     this.shape = shape;
+  }
+
+  /** Another one of the same points, which is shown and turned alike. */
+  attachBeside(shape: ShapeView | undefined): void {
+    this.beside = shape;
+    this.apply();
   }
 
   /** Another cloud: its first axes, which keep most. */
@@ -59,12 +66,10 @@ export class DimensionTools {
     if (!frame) return;
     const rows = rowsOf(frame.axes, this.choice, this.angle);
     this.shape?.project(rows);
+    this.beside?.project(rows);
     byId('plateau', HTMLElement).dataset['turned'] = String(this.angle);
     this.selects.forEach((select, i) => (select.value = String(this.choice[i])));
-    const words =
-      frame.shares.length === 0
-        ? ''
-        : `A projection: it keeps ${percent(keptBy(rows, frame.shares))} of the spread.`;
+    const words = projectionInWords(frame, rows);
     this.note.hidden = words === '';
     if (this.note.textContent !== words) this.note.textContent = words;
   }
@@ -83,6 +88,11 @@ export class DimensionTools {
     this.apply();
     this.request = requestAnimationFrame((next) => this.turn(next));
   }
+}
+
+/** What a picture of more than three dimensions, or of distances, keeps; '' for points as they are. */
+export function projectionInWords({ shares }: CloudFrame, rows: Float32Array): string {
+  return shares.length === 0 ? '' : `A projection: it keeps ${percent(keptBy(rows, shares))} of the spread.`;
 }
 
 const percent = (share: number): string => `${Math.round(100 * share)} %`;

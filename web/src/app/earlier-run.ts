@@ -2,6 +2,7 @@ import { cardWords, type PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
 import type { Opened, RunOptions } from '../worker/protocol.ts';
 import { byId } from './dom.ts';
+import type { RunFeed } from './run-feed.ts';
 import type { SourceChoice } from './source.ts';
 
 const MOST_LINES = 4;
@@ -12,6 +13,7 @@ export interface ShownRun {
   readonly options: RunOptions;
   readonly opened: Opened;
   readonly record: RunRecord;
+  readonly feed: RunFeed;
   readonly cards: readonly PlateauCard[];
 }
 
@@ -27,6 +29,13 @@ function pumpingOf({ pump, omegaBar, zeta2, sliver }: RunOptions): string {
   if (omegaBar !== undefined) parts.push(`ω̄ ${omegaBar}`);
   if (zeta2 !== undefined) parts.push(`ζ₂ ${zeta2}`);
   return parts.filter(Boolean).join(' ');
+}
+
+/** The very same points. */
+export function samePoints(a: SourceChoice, b: SourceChoice): boolean {
+  if (!sameShape(a, b)) return false;
+  if (a.kind === 'file' || b.kind === 'file') return true;
+  return a.size === b.size && (a.noise ?? 0) === (b.noise ?? 0);
 }
 
 /** Every setting in words, in the order of the form. */
@@ -61,8 +70,9 @@ export class EarlierRun {
   private readonly lines = byId('earlier-lines', HTMLElement);
 
   /** Returns the cards to draw beside those of `now`: none if there is nothing to compare. */
-  show(earlier: ShownRun | undefined, now: ShownRun): readonly PlateauCard[] {
-    const differing = earlier && sameShape(earlier.choice, now.choice) ? differences(earlier, now) : [];
+  show(earlier: ShownRun | undefined, now: ShownRun | undefined): readonly PlateauCard[] {
+    const differing =
+      earlier && now && sameShape(earlier.choice, now.choice) ? differences(earlier, now) : [];
     this.box.hidden = differing.length === 0;
     if (!earlier || differing.length === 0) return [];
     this.title.textContent = `Before: ${differing.join(' · ')}`;

@@ -1,13 +1,18 @@
 import { Afterglow } from '../model/afterglow.ts';
 import { Playback } from '../model/playback.ts';
-import type { RunRecord } from '../model/record.ts';
+import type { Scales } from '../model/scale-axis.ts';
 
 /** The longest that a frame counts for: a tab that was hidden does not leap. */
 const LONGEST_FRAME_MS = 250;
 
+/** What the film runs along: it waits at the last step, and ends there if no more will come. */
+export interface FilmTrack extends Scales {
+  readonly ended: boolean;
+}
+
 /** What the film moves. */
 export interface FilmScreen {
-  readonly record: RunRecord | undefined;
+  readonly record: FilmTrack | undefined;
   readonly currentStep: number;
   /** Shows a step; what was born or died since `recent` glows or fades. */
   showFrame(step: number, recent: number): void;

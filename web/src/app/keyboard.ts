@@ -25,7 +25,7 @@ function takes(target: EventTarget | null, key: string): boolean {
   if (target instanceof HTMLInputElement) {
     if (target.type === 'checkbox') return key === ' ';
     // Of the sliders only the one of the film means what the arrows mean everywhere.
-    if (target.type === 'range') return target.id !== 'step' && /^(arrow|home|end)/i.test(key);
+    if (target.type === 'range') return !target.matches('.slider') && /^(arrow|home|end)/i.test(key);
     return target.type !== 'file' || key === ' ';
   }
   if (target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement) return true;
@@ -70,7 +70,7 @@ export function listenToKeys(actions: KeyActions): void {
       end: () => actions.toEnd(),
     };
     const atShape =
-      event.target instanceof HTMLElement && event.target.id === 'shape' ? onShape[key] : undefined;
+      event.target instanceof HTMLElement && event.target.matches('.shape') ? onShape[key] : undefined;
     const action = atShape ?? byKey[key] ?? (actions.singleKeysOn() ? actions.single[key] : undefined);
     if (!action) return;
     event.preventDefault();

@@ -8,6 +8,10 @@ import './tools.css';
 import './pumps.css';
 import './sheets.css';
 import './phone.css';
+import './comparison.css';
+import type { AxisKind } from '../model/scale-axis.ts';
+import { CompareSheet } from './compare-sheet.ts';
+import { Comparison } from './comparison.ts';
 import { byId } from './dom.ts';
 import { parseList } from './entries.ts';
 import { openLink } from './open-link.ts';
@@ -21,19 +25,42 @@ import { Page } from './page.ts';
 import { workOffline } from './offline.ts';
 import { acceptPastes } from './paste.ts';
 import { SAMPLES, type Sample } from './samples.ts';
-import { startFrom } from './source.ts';
+import { startFrom, type SourceChoice } from './source.ts';
 import { explainTerms } from './term-tips.ts';
+import type { TransportActions } from './transport.ts';
+import type { RunOptions } from '../worker/protocol.ts';
 
 const page = new Page();
 const fileInput = byId('file', HTMLInputElement);
 const sampleSelect = byId('sample', HTMLSelectElement);
 
+const axis = byId('axis', HTMLSelectElement);
+
+function setAxis(kind: AxisKind): void {
+  axis.value = kind;
+  page.diagram.setAxis(kind);
+  comparison.pair?.setAxis(kind);
+}
+
+const comparison: Comparison = new Comparison(page, setAxis);
+const compareSheet = new CompareSheet(page, (second) => void comparison.open(second));
+
+/** What is opened while two runs are compared is the second one. */
+function open(choice: SourceChoice, options: RunOptions): void {
+  if (comparison.pair) void comparison.open({ choice, options });
+  else void page.open(choice, options, 'answer');
+}
+
 function openFile(file: File): void {
-  void page.open({ kind: 'file', file }, {}, 'answer');
+  if (!compareSheet.take(file)) open({ kind: 'file', file }, {});
 }
 
 function openSample({ shape, size, options = {} }: Sample): void {
-  void page.open({ kind: 'sample', shape, size }, options, 'answer');
+  open({ kind: 'sample', shape, size }, options);
+}
+
+function player(): TransportActions {
+  return comparison.pair ?? page;
 }
 
 fileInput.addEventListener('change', () => {
@@ -73,40 +100,49 @@ offerExports(page);
 
 const gallery = new Gallery(page.client, openSample);
 const help = new HelpSheet();
-const share = new ShareSheet(page);
+const share = new ShareSheet(page, comparison);
 closeSheets();
 explainTerms(byId('plateau', HTMLElement));
 byId('open-gallery', HTMLButtonElement).addEventListener('click', () => gallery.open());
 byId('empty-gallery', HTMLButtonElement).addEventListener('click', () => gallery.open());
 byId('open-share', HTMLButtonElement).addEventListener('click', () => void share.open());
 byId('open-help', HTMLButtonElement).addEventListener('click', () => help.open());
+byId('open-compare', HTMLButtonElement).addEventListener('click', () => compareSheet.open());
 byId('undo', HTMLButtonElement).addEventListener('click', () => page.travel(-1));
 byId('redo', HTMLButtonElement).addEventListener('click', () => page.travel(1));
 
-const axis = byId('axis', HTMLSelectElement);
-axis.addEventListener('change', () => page.diagram.setAxis(axis.value === 'linear' ? 'linear' : 'log'));
+axis.addEventListener('change', () => setAxis(axis.value === 'linear' ? 'linear' : 'log'));
 const speed = byId('speed', HTMLSelectElement);
 speed.addEventListener('change', () => {
   page.speed = Number(speed.value);
 });
 
-function turnAxis(): void {
-  axis.value = axis.value === 'log' ? 'linear' : 'log';
-  page.diagram.setAxis(axis.value === 'linear' ? 'linear' : 'log');
+function compareOrNot(): void {
+  if (comparison.pair) comparison.close();
+  else compareSheet.open();
+}
+
+/** Undo and redo are of the page alone. */
+function travel(by: -1 | 1): void {
+  if (!comparison.pair) page.travel(by);
+}
+
+function shapeInFocus() {
+  return comparison.pair?.shapeInFocus ?? page.shape;
 }
 
 listenToKeys({
-  togglePlay: () => page.togglePlay(),
-  move: (steps) => page.move(steps),
-  toStart: () => page.goTo(1),
-  toEnd: () => page.goTo(Infinity),
-  undo: () => page.travel(-1),
-  redo: () => page.travel(1),
-  turn: (across, upright) => page.shape?.turn(across, upright),
-  zoom: (factor) => page.shape?.zoom(factor),
+  togglePlay: () => player().togglePlay(),
+  move: (steps) => player().move(steps),
+  toStart: () => player().goTo(1),
+  toEnd: () => player().goTo(Infinity),
+  undo: () => travel(-1),
+  redo: () => travel(1),
+  turn: (across, upright) => shapeInFocus()?.turn(across, upright),
+  zoom: (factor) => shapeInFocus()?.zoom(factor),
   singleKeysOn: () => help.singleKeys,
   single: {
-    p: () => page.walk.next(),
+    p: () => (comparison.pair ? comparison.pair.nextPlateau() : page.walk.next()),
     n: () => page.walk.nextSignificant(),
     o: () => fileInput.click(),
     g: () => gallery.open(),
@@ -117,9 +153,10 @@ listenToKeys({
     c: () => page.tools.toggleColor(),
     x: () => page.tools.toggleSection(),
     d: () => page.tools.toggleTurning(),
-    l: turnAxis,
-    f: () => page.shape?.fit(),
+    l: () => setAxis(axis.value === 'log' ? 'linear' : 'log'),
+    f: () => (comparison.pair ?? page.shape)?.fit(),
     s: () => void share.open(),
+    v: compareOrNot,
     '?': () => help.open(),
   },
 });
@@ -127,14 +164,15 @@ listenToKeys({
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
   page.shape?.applyTheme();
   page.diagram.requestPaint();
+  comparison.pair?.applyTheme();
 });
 
 const { choice, options, memoryLimit } = startFrom(location.search);
 page.memoryLimit = memoryLimit;
-if (!(await openLink(page))) {
+if (!(await openLink(page, comparison))) {
   if (!choice) page.showEmpty();
   else
     void page.open(choice, options, matchMedia('(prefers-reduced-motion: reduce)').matches ? 'wait' : 'play');
 }
-addEventListener('hashchange', () => void openLink(page));
+addEventListener('hashchange', () => void openLink(page, comparison));
 workOffline();

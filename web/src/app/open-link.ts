@@ -1,9 +1,10 @@
-import { linkedIn, type Linked } from '../model/link.ts';
+import { linkedIn, type LinkedSource } from '../model/link.ts';
 import { unpacked } from '../model/packed-points.ts';
+import type { Comparison } from './comparison.ts';
 import type { Page } from './page.ts';
 import type { SourceChoice } from './source.ts';
 
-async function choiceOf({ source }: Linked): Promise<SourceChoice> {
+async function choiceOf(source: LinkedSource): Promise<SourceChoice> {
   if (source.kind === 'sample') return source;
   const { table, dimension } = await unpacked(source.points);
   const file = new File([table], `${source.name}.csv`);
@@ -13,16 +14,18 @@ async function choiceOf({ source }: Linked): Promise<SourceChoice> {
 }
 
 /** Opens what the address links to, if it is a link; what is shown stays if that fails. */
-export async function openLink(page: Page): Promise<boolean> {
+export async function openLink(page: Page, comparison: Comparison): Promise<boolean> {
   try {
     const linked = linkedIn(location.hash);
     if (!linked) return false;
-    const { options, step, reached, view } = linked;
-    await page.open(await choiceOf(linked), options, step > 0 ? 'return' : 'answer', false, {
-      step,
-      reached,
-      view,
-    });
+    comparison.close();
+    const { options, step, reached, view, beside } = linked;
+    const choice = await choiceOf(linked.source);
+    const second = beside && { ...beside, choice: beside.source ? await choiceOf(beside.source) : choice };
+    // Where two are compared the playhead is that of both.
+    const arrival = second ? 'wait' : step > 0 ? 'return' : 'answer';
+    await page.open(choice, options, arrival, false, { step, reached, view });
+    if (second && page.currentChoice === choice) await comparison.open(second, second);
   } catch (error) {
     page.showEmpty();
     page.showError(error);

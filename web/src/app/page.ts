@@ -261,7 +261,7 @@ export class Page implements FeedListener, WalkScreen {
   shownRun(): ShownRun | undefined {
     const { choice, options, feed, cards } = this;
     return choice && feed
-      ? { choice, options, opened: feed.run.opened, record: feed.record, cards }
+      ? { choice, options, opened: feed.run.opened, record: feed.record, feed, cards }
       : undefined;
   }
 
@@ -279,8 +279,7 @@ export class Page implements FeedListener, WalkScreen {
     this.arrival = arrival;
     this.shape?.setRecord(feed.record);
     this.tools.show(feed.record.frame);
-    const now: ShownRun = { choice, options, opened: feed.run.opened, record: feed.record, cards: [] };
-    this.diagram.setRecord(feed.record, this.earlier.show(before, now));
+    this.diagram.setRecord(feed.record, this.earlier.show(before, this.shownRun()));
     this.cardList.show([], false);
     this.announcer.restart();
     this.walk.leave();

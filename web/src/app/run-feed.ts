@@ -23,15 +23,23 @@ export class RunFeed {
   private stopped = false;
   private pulling = false;
   private resting = false;
+  private readonly listeners: Set<FeedListener>;
 
   /** `reach`: so many steps are computed at least, past plateaus that would end the run before. */
   constructor(
     readonly run: RemoteRun,
-    private readonly listener: FeedListener,
+    listener: FeedListener,
     private readonly reach = 0,
   ) {
+    this.listeners = new Set([listener]);
     this.record = new RunRecord(run.opened);
     this.cards = new CardStack(this.record);
+  }
+
+  /** Somebody else is told, too, until the function that is returned is called. */
+  alsoTell(listener: FeedListener): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
   }
 
   start(): void {
@@ -39,7 +47,7 @@ export class RunFeed {
     this.pulling = true;
     this.pull()
       .catch((error: unknown) => {
-        if (!this.stopped) this.listener.failed(error);
+        if (!this.stopped) this.tell((listener) => listener.failed(error));
       })
       .finally(() => {
         this.pulling = false;
@@ -60,7 +68,7 @@ export class RunFeed {
     if (this.record.ended) return;
     this.run.resume().then(
       () => this.start(),
-      (error: unknown) => this.listener.failed(error),
+      (error: unknown) => this.tell((listener) => listener.failed(error)),
     );
   }
 
@@ -85,6 +93,10 @@ export class RunFeed {
     this.run.close().catch(() => undefined);
   }
 
+  private tell(what: (listener: FeedListener) => void): void {
+    for (const listener of [...this.listeners]) what(listener);
+  }
+
   private async pull(): Promise<void> {
     let cardsDue = 0;
     while (!this.stopped && !this.resting) {
@@ -95,16 +107,17 @@ export class RunFeed {
         await this.run.runToNextPlateau();
         this.record.runToNextPlateau();
       }
-      this.listener.grown();
+      this.tell((listener) => listener.grown());
       if (this.record.ended || performance.now() >= cardsDue) {
         const plateaus = await this.run.fetchPlateaus();
         if (this.stopped) return;
-        this.listener.cardsFound(this.cards.ranked(plateaus));
+        const cards = this.cards.ranked(plateaus);
+        this.tell((listener) => listener.cardsFound(cards));
         cardsDue = performance.now() + CARDS_EVERY_MS;
       }
       // Asked again: a stop at the noise or at a plateau may have been lifted meanwhile.
       if (this.record.ended) {
-        this.listener.ended(delta.stopped);
+        this.tell((listener) => listener.ended(delta.stopped));
         return;
       }
       await new Promise((resolve) => setTimeout(resolve, PULL_MS));

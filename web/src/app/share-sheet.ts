@@ -1,10 +1,17 @@
-import { fragmentOf, LONGEST_LINK, type Linked } from '../model/link.ts';
+import {
+  fragmentOf,
+  LONGEST_LINK,
+  type Linked,
+  type LinkedBeside,
+  type LinkedSource,
+} from '../model/link.ts';
 import { grouped, readable } from '../model/numbers.ts';
 import { packed } from '../model/packed-points.ts';
 import { commandWords } from '../model/run-words.ts';
 import { viewOf } from '../model/view-state.ts';
+import type { Comparison } from './comparison.ts';
 import { byId } from './dom.ts';
-import type { ShownRun } from './earlier-run.ts';
+import { samePoints, type ShownRun } from './earlier-run.ts';
 import type { Page } from './page.ts';
 import { COMPUTED_SAMPLES } from './samples.ts';
 import { fileStem } from './source.ts';
@@ -15,27 +22,55 @@ interface Shared {
   readonly fragment?: string;
 }
 
-const WITH_LINK = 'The link holds points, settings, step and view. Whoever opens it sees what you see.';
+/** The points of a run as a link holds them; none: there are too many. */
+interface SharedSource {
+  readonly source?: LinkedSource;
+  /** What there is to know of them. */
+  readonly words: string;
+}
 
-/** Points that travel in the link, if they are few enough. */
-async function sharedPoints(run: ShownRun, state: Omit<Linked, 'source'>): Promise<Shared> {
-  const { coordinates, dimension, points } = run.opened;
+const WITH_LINK = 'The link holds points, settings, step and view. Whoever opens it sees what you see.';
+const AS_SESSION = 'A session is a file that holds all of it and can be dropped on this page.';
+const SESSION_EACH = 'A session is a file that holds one run: save it where that run is alone on the page.';
+
+async function sharedSource({ choice, opened }: ShownRun): Promise<SharedSource> {
+  if (choice.kind === 'sample') return { source: choice, words: '' };
+  const { coordinates, dimension, points } = opened;
   const what = `${grouped(points)} points`;
-  const tooLarge = `${what} do not fit into a link. A session is a file that holds all of it and can be dropped on this page.`;
-  if (dimension === 0) return { words: tooLarge.replace('points', 'points by their distances') };
+  const tooLarge = { words: `${what} do not fit into a link.` };
+  if (dimension === 0) return { words: tooLarge.words.replace('points', 'points by their distances') };
   // Two bytes a coordinate hardly compress to less than half.
-  if (coordinates.length > 2 * LONGEST_LINK) return { words: tooLarge };
+  if (coordinates.length > 2 * LONGEST_LINK) return tooLarge;
   const all = await packed(coordinates, dimension);
-  if (!all) return { words: tooLarge };
-  const source = { kind: 'points', points: all.text, name: fileStem(run.choice) } as const;
-  const fragment = fragmentOf({ ...state, source });
-  if (fragment.length > LONGEST_LINK) return { words: tooLarge };
+  if (!all) return tooLarge;
   return {
-    fragment,
+    source: { kind: 'points', points: all.text, name: fileStem(choice) },
     words:
-      `${WITH_LINK} Your ${what} travel inside it, rounded to steps of ${readable(all.unit)}: ` +
+      ` Your ${what} travel inside it, rounded to steps of ${readable(all.unit)}: ` +
       'numbers and hash behind the link are those of the rounded points.',
   };
+}
+
+/** A link to a run, and to one beside it if there is one. */
+async function shared(
+  run: ShownRun,
+  state: Omit<Linked, 'source' | 'beside'>,
+  beside: (Omit<LinkedBeside, 'source'> & { readonly run: ShownRun }) | undefined,
+): Promise<Shared> {
+  const first = await sharedSource(run);
+  const others = beside && !samePoints(run.choice, beside.run.choice);
+  const second = others ? await sharedSource(beside.run) : undefined;
+  const elsewhere = beside ? SESSION_EACH : AS_SESSION;
+  if (!first.source) return { words: `${first.words} ${elsewhere}` };
+  if (second && !second.source) return { words: `${second.words} ${elsewhere}` };
+  const fragment = fragmentOf({
+    ...state,
+    source: first.source,
+    ...(beside ? { beside: { ...beside, source: second?.source } } : {}),
+  });
+  if (fragment.length > LONGEST_LINK)
+    return { words: `${grouped(run.opened.points)} points do not fit into a link. ${elsewhere}` };
+  return { fragment, words: `${WITH_LINK}${first.words}${second?.words ?? ''}` };
 }
 
 /** The command that computes the run again; none where its points are on no disk. */
@@ -59,7 +94,10 @@ export class ShareSheet {
   private readonly command = byId('share-command', HTMLInputElement);
   private readonly copied = byId('copied', HTMLElement);
 
-  constructor(private readonly page: Page) {
+  constructor(
+    private readonly page: Page,
+    private readonly comparison: Comparison,
+  ) {
     byId('copy-link', HTMLButtonElement).addEventListener('click', () => void this.copy(this.link));
     byId('copy-command', HTMLButtonElement).addEventListener('click', () => void this.copy(this.command));
     byId('share-session', HTMLButtonElement).addEventListener('click', () =>
@@ -69,26 +107,34 @@ export class ShareSheet {
 
   async open(): Promise<void> {
     const { page } = this;
+    const { pair } = this.comparison;
     const run = page.shownRun();
     if (!run) {
       page.showError('There is nothing to share yet.');
       return;
     }
-    const { choice, options, record } = run;
+    const { record } = run;
     const reached = record.plateausPassed > 0 ? record.stepCount : 0;
-    const state = { options, step: page.currentStep, reached, view: viewOf(page.viewState()) };
-    const { words, fragment }: Shared =
-      choice.kind === 'sample'
-        ? { words: WITH_LINK, fragment: fragmentOf({ ...state, source: choice }) }
-        : await sharedPoints(run, state);
+    const state = {
+      options: run.options,
+      reached,
+      step: pair?.firstStep ?? page.currentStep,
+      view: viewOf(page.viewState()),
+    };
+    const second = pair?.runs[1];
+    const beside = pair && second ? { ...pair.view, run: second, options: second.options } : undefined;
+    const { words, fragment } = await shared(run, state, beside);
     byId('share-words', HTMLElement).textContent = words;
     byId('share-link-row', HTMLElement).hidden = fragment === undefined;
-    byId('share-session-row', HTMLElement).hidden = fragment !== undefined;
+    byId('share-session-row', HTMLElement).hidden = fragment !== undefined || pair !== undefined;
     const { origin, pathname } = location;
     this.link.value = fragment === undefined ? '' : `${origin}${pathname}#${fragment}`;
-    this.command.value = commandOf(run);
-    byId('share-command-row', HTMLElement).hidden = this.command.value === '' || !record.ended;
-    byId('share-hash', HTMLElement).textContent = record.hash;
+    const runs = second ? [run, second] : [run];
+    const commands = runs.map(commandOf);
+    const complete = runs.every(({ record }) => record.ended) && !commands.includes('');
+    this.command.value = commands.join('; ');
+    byId('share-command-row', HTMLElement).hidden = !complete;
+    byId('share-hash', HTMLElement).textContent = runs.map(({ record }) => record.hash).join(' and ');
     this.copied.textContent = '';
     this.dialog.showModal();
     this.link.select();

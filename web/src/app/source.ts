@@ -1,6 +1,7 @@
 import type { CloudSource, Family, RunOptions } from '../worker/protocol.ts';
 import { SCAN_POINTS } from '../model/forecast.ts';
-import { BUNNY, COLORS, SAMPLES } from './samples.ts';
+import { measuredShape } from './measured-shapes.ts';
+import { SAMPLES } from './samples.ts';
 
 /** What the visitor chose to look at. A file is kept, not its bytes: it is read anew for other settings. */
 export type SourceChoice =
@@ -47,10 +48,7 @@ export function fileStem(choice: SourceChoice): string {
 }
 
 export async function cloudSource(choice: SourceChoice): Promise<CloudSource> {
-  if (choice.kind === 'sample') {
-    if (choice.shape === BUNNY) return bunnySource(choice);
-    return choice.shape === COLORS ? colorsSource(choice) : choice;
-  }
+  if (choice.kind === 'sample') return measuredShape(choice) ?? choice;
   const { file, columns, newOptions } = choice;
   let bytes: ArrayBuffer;
   try {
@@ -67,19 +65,6 @@ export async function cloudSource(choice: SourceChoice): Promise<CloudSource> {
     ...(columns && columns.length > 0 ? { columns, anyDimension: true } : {}),
     ...(newOptions ? { newOptions } : {}),
   };
-}
-
-/** The bunny's mesh is loaded when it is first asked for. */
-async function bunnySource({ size, noise = 0 }: { size: number; noise?: number }): Promise<CloudSource> {
-  const { bunnyText } = await import('../model/bunny-points.ts');
-  return { kind: 'file', name: 'bunny.xyz', bytes: new TextEncoder().encode(bunnyText(size, noise)).buffer };
-}
-
-/** Distances, loaded like the bunny. */
-async function colorsSource({ size }: { size: number }): Promise<CloudSource> {
-  const { colorDistances } = await import('../model/color-distances.ts');
-  const text = await colorDistances(size);
-  return { kind: 'file', name: 'colors.csv', bytes: new TextEncoder().encode(text).buffer };
 }
 
 const FAMILIES: readonly string[] = [

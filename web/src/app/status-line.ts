@@ -4,11 +4,17 @@ import { bettiInNumbers, torsionInNumbers } from '../model/words.ts';
 
 const SPOKEN_EVERY_MS = 1_000;
 
-function sentence(record: RunRecord, at: StepSummary | undefined): string {
+/** "step 5 of 3,000 · ε 0.52 · β 1, 0, 0 · surface". */
+export function stepInWords(record: RunRecord, at: StepSummary | undefined): string {
   const step = `step ${grouped(at?.step ?? 0)} of ${grouped(record.stepsPlanned)}`;
   if (!at) return `${step} · ε – · β –`;
   const torsion = at.torsion ? ` · ${torsionInNumbers(at.torsion)}` : '';
   return `${step} · ε ${readable(at.epsilon)} · ${bettiInNumbers(at.betti)}${torsion} · ${at.family}`;
+}
+
+/** A name and its number stay in one line. */
+export function heldTogether(text: string): string {
+  return text.replace(/(step|ε|β) /g, '$1\u00a0');
 }
 
 /**
@@ -25,9 +31,13 @@ export class StatusLine {
   ) {}
 
   show(record: RunRecord, at: StepSummary | undefined, moving: boolean): void {
-    const text = sentence(record, at);
-    // A name and its number stay in one line.
-    this.readout.textContent = text.replace(/(step|ε|β) /g, '$1\u00a0');
+    const text = stepInWords(record, at);
+    this.readout.textContent = heldTogether(text);
+    this.say(text, moving);
+  }
+
+  /** For screen readers alone. */
+  say(text: string, moving: boolean): void {
     this.status.setAttribute('aria-live', moving ? 'off' : 'polite');
     const now = performance.now();
     if (moving && now - this.spokenAt < SPOKEN_EVERY_MS) return;

@@ -54,7 +54,12 @@ export class Transport {
   }
 
   showStep({ step, epsilon }: StepSummary): void {
-    this.slider.value = String(step);
-    this.slider.setAttribute('aria-valuetext', `step ${step}, ε ${readable(epsilon)}`);
+    this.showPlace(step, `step ${step}, ε ${readable(epsilon)}`);
+  }
+
+  /** `words`: what the place means. */
+  showPlace(place: number, words: string): void {
+    this.slider.value = String(place);
+    this.slider.setAttribute('aria-valuetext', words);
   }
 }

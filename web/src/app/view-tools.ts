@@ -1,12 +1,10 @@
-import { readable } from '../model/numbers.ts';
 import type { Section, ShapeView } from '../view/shape-view.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
 import { DimensionTools } from './dimension-tools.ts';
 import { byId } from './dom.ts';
+import { ScaleBar } from './scale-bar.ts';
 
 const LAYERS = ['witnesses', 'landmarks', 'edges', 'faces'] as const;
-/** The scale bar is the longest 1, 2 or 5 that is no wider. */
-const BAR_PIXELS = 120;
 
 /** What is drawn, how it is colored, where it is cut, and how large it is. */
 export class ViewTools {
@@ -15,11 +13,14 @@ export class ViewTools {
   private readonly section = byId('section', HTMLInputElement);
   private readonly axis = byId('section-axis', HTMLSelectElement);
   private readonly place = byId('section-place', HTMLInputElement);
-  private readonly bar = byId('scale-bar', HTMLElement);
-  private readonly barLength = byId('scale-length', HTMLElement);
-  private readonly barText = byId('scale-text', HTMLElement);
+  private readonly scaleBar = new ScaleBar(
+    byId('scale-bar', HTMLElement),
+    byId('scale-length', HTMLElement),
+    byId('scale-text', HTMLElement),
+  );
   private readonly dimensions = new DimensionTools();
   private shape: ShapeView | undefined;
+  private beside: ShapeView | undefined;
 
   constructor() {
     const form = byId('tools', HTMLFormElement);
@@ -32,6 +33,13 @@ export class ViewTools {
     this.shape = shape;
     this.dimensions.attach(shape);
     byId('tools', HTMLElement).hidden = !shape;
+    this.apply();
+  }
+
+  /** A second shape is drawn as the first is; `alike`: its dimensions are those of the first. */
+  attachBeside(shape: ShapeView | undefined, alike: boolean): void {
+    this.beside = shape;
+    this.dimensions.attachBeside(alike ? shape : undefined);
     this.apply();
   }
 
@@ -59,18 +67,7 @@ export class ViewTools {
   }
 
   /** Told after each drawing. */
-  readonly showScale = (unitsPerPixel: number): void => {
-    const most = BAR_PIXELS * unitsPerPixel;
-    const decade = 10 ** Math.floor(Math.log10(most));
-    const length = decade * ([5, 2].find((factor) => factor * decade <= most) ?? 1);
-    this.bar.hidden = false;
-    this.barLength.style.width = `${length / unitsPerPixel}px`;
-    const amount = readable(length)
-      .replace(/(\.\d*?)0+$/, '$1')
-      .replace(/\.$/, '');
-    const text = `${amount} ${length === 1 ? 'unit' : 'units'}`;
-    if (this.barText.textContent !== text) this.barText.textContent = text;
-  };
+  readonly showScale = this.scaleBar.show;
 
   private apply(): void {
     const [witnesses = true, landmarks = true, edges = true, faces = true] = this.boxes.map(
@@ -79,9 +76,11 @@ export class ViewTools {
     const byAge = this.colorBy.value === 'age';
     byId('age-key', HTMLElement).hidden = !byAge;
     byId('section-controls', HTMLElement).hidden = !this.section.checked;
-    this.shape?.setLayers({ witnesses, landmarks, edges, faces });
-    this.shape?.colorByAge(byAge);
-    this.shape?.cutAt(this.section.checked ? this.sectionAsked() : undefined);
+    for (const shape of [this.shape, this.beside]) {
+      shape?.setLayers({ witnesses, landmarks, edges, faces });
+      shape?.colorByAge(byAge);
+      shape?.cutAt(this.section.checked ? this.sectionAsked() : undefined);
+    }
   }
 
   private sectionAsked(): Section {

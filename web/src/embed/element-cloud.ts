@@ -1,3 +1,5 @@
+import { measuredShape } from '../app/measured-shapes.ts';
+import { SAMPLES } from '../app/samples.ts';
 import { PlateauError } from '../client/plateau-error.ts';
 import { SCAN_POINTS } from '../model/forecast.ts';
 import { npyOf } from '../package/cloud.ts';
@@ -26,9 +28,10 @@ export function nameOf(opening: Opening): string {
   }
 }
 
-/** A scan ends at its noise, as on the page. */
+/** As on the page: a shape has the settings of the gallery, where none are asked for; a scan ends at its noise. */
 export function optionsFor(opening: Opening, options: RunOptions): RunOptions {
-  return opening.kind === 'shape' ? options : { noiseStopFrom: SCAN_POINTS, ...options };
+  if (opening.kind !== 'shape') return { noiseStopFrom: SCAN_POINTS, ...options };
+  return { ...SAMPLES.find(({ shape }) => shape === opening.shape)?.options, ...options };
 }
 
 function fileSource(name: string, bytes: ArrayBuffer, columns: readonly number[] | undefined): CloudSource {
@@ -57,7 +60,7 @@ async function fetched(address: string, signal: AbortSignal): Promise<ArrayBuffe
 export async function cloudOf(opening: Opening, signal: AbortSignal): Promise<CloudSource> {
   switch (opening.kind) {
     case 'shape':
-      return { ...opening, kind: 'sample' };
+      return measuredShape(opening) ?? { ...opening, kind: 'sample' };
     case 'address':
       return fileSource(nameOf(opening), await fetched(opening.address, signal), opening.columns);
     case 'points':

@@ -1,5 +1,6 @@
 import type { ErrorCode } from '../client/plateau-error.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
+import type { Torsion } from '../model/record.ts';
 import { shapeInWords } from '../model/words.ts';
 import type { Family, ShownFamily } from '../worker/protocol.ts';
 
@@ -28,6 +29,8 @@ export interface StepDetail {
   readonly family: ShownFamily;
   /** Betti numbers: components, loops, voids, … */
   readonly betti: readonly number[];
+  /** Those over another field, where they differ: the shape has torsion. */
+  readonly torsion?: Torsion;
 }
 
 /** Event `plateau`: the playhead has come to another plateau. Runs with short interruptions count as one. */
@@ -43,6 +46,8 @@ export interface PlateauDetail {
   readonly length: number;
   readonly family: ShownFamily;
   readonly betti: readonly number[];
+  /** Those over another field, where they differ: the shape has torsion. */
+  readonly torsion?: Torsion;
   /** In words, such as "torus-like closed surface". */
   readonly shape: string;
 }
@@ -63,7 +68,7 @@ export interface PlateauViewEventMap {
 }
 
 export function plateauDetail(card: PlateauCard, rank: number): PlateauDetail {
-  const { firstStep, lastStep, middleStep, epsilonFirst, length, family, betti } = card;
-  const shape = shapeInWords(family, betti);
-  return { rank, firstStep, lastStep, middleStep, epsilonFirst, length, family, betti, shape };
+  const { firstStep, lastStep, middleStep, epsilonFirst, length, family, betti, torsion } = card;
+  const about = { rank, firstStep, lastStep, middleStep, epsilonFirst, length, family, betti };
+  return { ...about, ...(torsion ? { torsion } : {}), shape: shapeInWords(family, betti, torsion?.betti) };
 }

@@ -182,7 +182,8 @@ export class PlateauViewElement extends ReflectingElement {
     parts.empty.textContent = EMPTY;
     root.append(parts.box);
     this.viewer = new Viewer(parts, {
-      stepped: ({ step, epsilon, family, betti }) => this.emit('step', { step, epsilon, family, betti }),
+      stepped: ({ step, epsilon, family, betti, torsion }) =>
+        this.emit('step', { step, epsilon, family, betti, ...(torsion ? { torsion } : {}) }),
       arrived: (card, rank) => this.emit('plateau', plateauDetail(card, rank)),
       failed: (error) => this.fail(error),
       stopped: (failure) => this.failWith(codeOf(failure), failure.message),

@@ -6,6 +6,7 @@
 import { PlateauViewElement } from './plateau-view-element.ts';
 
 export { PlateauError, type ErrorCode } from '../client/plateau-error.ts';
+export type { Torsion } from '../model/record.ts';
 export type { ErrorDetail, PlateauDetail, PlateauViewEventMap, ReadyDetail, StepDetail } from './events.ts';
 export type { LoadOptions } from './plateau-view-element.ts';
 export type { Panels, Theme } from './settings.ts';

@@ -1,29 +1,18 @@
 import type { RemoteRun } from '../client/plateau-client.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord, StepSummary } from '../model/record.ts';
-import { DiagramView } from '../view/diagram-view.ts';
-import { ShapeView, type ShapeTrouble } from '../view/shape-view.ts';
 import type { Failure } from '../worker/protocol.ts';
 import { Announcer } from '../app/announcer.ts';
-import { CardList } from '../app/card-list.ts';
-import { setNotice, showLegend } from '../app/dom.ts';
+import { showLegend } from '../app/dom.ts';
 import { Film } from '../app/film.ts';
 import { RunFeed } from '../app/run-feed.ts';
+import { RunScreen } from '../app/run-screen.ts';
+import { NO_WEBGL, shapeViewIn } from '../app/shape-or-none.ts';
 import { StatusLine } from '../app/status-line.ts';
 import { Transport } from '../app/transport.ts';
 import type { Parts } from './parts.ts';
 import type { Panels } from './settings.ts';
 import { listenToShapeKeys } from './shape-keys.ts';
-
-/** While a run grows: the computation needs the time between two pictures. */
-const PICTURES_EVERY_MS = 120;
-const NO_SHAPE =
-  'The shape needs WebGL 2, which this browser does not offer. The diagram and the plateaus work without it.';
-const NO_PICTURE: Readonly<Record<ShapeTrouble, string>> = {
-  lost: 'The browser has taken the graphics card away. The shape comes back when it returns it; the diagram goes on.',
-  crowded:
-    'These are more points than this graphics card has room for. The diagram and the plateaus work without it.',
-};
 
 /** Where the playhead goes when a run is shown. */
 export type Destination =
@@ -49,21 +38,17 @@ export interface ViewerListener {
 /** One run that is shown and one playhead: what is inside an element. */
 export class Viewer {
   private readonly film = new Film(this);
-  private readonly diagram: DiagramView;
+  private readonly screen: RunScreen;
   private readonly transport: Transport;
-  private readonly cardList: CardList;
   private readonly status: StatusLine;
   private readonly announcer: Announcer;
-  private shape: ShapeView | undefined;
   /** From where the shape was looked at when it went out of view. */
   private pose: readonly number[] | undefined;
   private feed: RunFeed | undefined;
   private cards: readonly PlateauCard[] = [];
   /** The cards are those of the whole run. */
   private cardsComplete = false;
-  private step = 0;
   private destination: Destination | undefined;
-  private picturesDue = 0;
   private panels: Panels = 'both';
   private inView = false;
   private playsWhenSeen = false;
@@ -74,17 +59,22 @@ export class Viewer {
     private readonly parts: Parts,
     private readonly listener: ViewerListener,
   ) {
-    this.diagram = new DiagramView(parts.diagram, parts.timeline, (step) => this.goTo(step));
+    this.screen = new RunScreen(
+      { ...parts, state: parts.view },
+      {
+        scrub: (step) => this.goTo(step),
+        choose: (card) => {
+          this.goTo(card.middleStep);
+          this.screen.shape?.frameAll();
+        },
+      },
+    );
     this.transport = new Transport(this, parts.transport);
-    this.cardList = new CardList(parts.cards, parts.noCards, (card) => {
-      this.goTo(card.middleStep);
-      this.shape?.frameAll();
-    });
     this.status = new StatusLine(parts.readout, parts.status);
     this.announcer = new Announcer(parts.spoken);
     listenToShapeKeys(parts.shape, {
-      turn: (across, upright) => this.shape?.turn(across, upright),
-      zoom: (factor) => this.shape?.zoom(factor),
+      turn: (across, upright) => this.screen.shape?.turn(across, upright),
+      zoom: (factor) => this.screen.shape?.zoom(factor),
       togglePlay: () => this.togglePlay(),
     });
     // The wheel scrolls what the element is part of, until the shape is what the visitor works with.
@@ -97,7 +87,7 @@ export class Viewer {
   }
 
   get currentStep(): number {
-    return this.step;
+    return this.screen.currentStep;
   }
 
   get currentCards(): readonly PlateauCard[] {
@@ -112,12 +102,11 @@ export class Viewer {
     this.panels = panels;
     this.parts.view.dataset['panels'] = panels;
     this.holdGraphics();
-    this.diagram.requestPaint();
+    this.screen.diagram.requestPaint();
   }
 
   applyTheme(): void {
-    this.shape?.applyTheme();
-    this.diagram.requestPaint();
+    this.screen.applyTheme();
   }
 
   /** Out of view nothing is computed, nothing moves, and the graphics card is given back. */
@@ -157,21 +146,17 @@ export class Viewer {
     this.feed = feed;
     this.cards = [];
     this.cardsComplete = false;
-    this.step = 0;
     this.arrivedAt = '';
     this.playsWhenSeen = false;
     this.pose = undefined;
     this.destination = destination;
-    this.shape?.setRecord(feed.record);
-    this.diagram.setRecord(feed.record, []);
-    this.cardList.show([], false);
+    this.screen.setRecord(feed.record);
     this.announcer.restart();
     this.transport.setSteps(1);
     this.status.show(feed.record, undefined, false);
     showLegend(feed.record.bettiCount, this.parts.film);
     this.parts.empty.hidden = true;
     this.parts.bar.inert = this.parts.film.inert = false;
-    this.showState();
     if (!this.inView) feed.pause();
     feed.start();
   }
@@ -198,7 +183,7 @@ export class Viewer {
     }
     this.playsWhenSeen = false;
     if (this.film.playing) return;
-    if (this.step >= record.stepCount && record.ended) this.showStep(1);
+    if (this.currentStep >= record.stepCount && record.ended) this.showStep(1);
     this.film.play();
   }
 
@@ -209,7 +194,7 @@ export class Viewer {
   }
 
   move(steps: number): void {
-    this.goTo(this.step + steps);
+    this.goTo(this.currentStep + steps);
   }
 
   /** To a step that is computed, or the last one that is. */
@@ -222,14 +207,14 @@ export class Viewer {
   }
 
   showFrame(step: number, recent: number): void {
-    if (step === this.step) this.shape?.glowSince(recent);
+    if (step === this.currentStep) this.screen.shape?.glowSince(recent);
     else this.showStep(step, recent);
   }
 
   playingChanged(playing: boolean): void {
     this.transport.setPlaying(playing);
     this.parts.view.dataset['playing'] = String(playing);
-    if (!playing && this.step > 0) this.showStep(this.step);
+    if (!playing && this.currentStep > 0) this.showStep(this.currentStep);
   }
 
   /** Frees everything; the viewer is of no use any more. */
@@ -237,55 +222,46 @@ export class Viewer {
     this.film.pause();
     this.feed?.dispose();
     this.feed = undefined;
-    this.shape?.dispose();
-    this.shape = undefined;
-    this.diagram.dispose();
+    this.screen.shape?.dispose();
+    this.screen.shape = undefined;
+    this.screen.diagram.dispose();
   }
 
   private takeWheel(takes: boolean): void {
-    if (this.shape) this.shape.wheelZooms = takes;
+    if (this.screen.shape) this.screen.shape.wheelZooms = takes;
   }
 
   /** A context of the graphics card is held only while the shape is seen: browsers allow about sixteen on a page. */
   private holdGraphics(): void {
     const wanted = this.inView && this.panels !== 'diagram' && !this.noGraphics;
-    if (wanted === (this.shape !== undefined)) return;
+    const { screen, parts } = this;
+    if (wanted === (screen.shape !== undefined)) return;
     if (!wanted) {
-      this.pose = this.shape?.pose;
-      this.shape?.dispose();
-      this.shape = undefined;
+      this.pose = screen.shape?.pose;
+      screen.shape?.dispose();
+      screen.shape = undefined;
       return;
     }
-    try {
-      const onTrouble = (trouble: ShapeTrouble | undefined): void =>
-        setNotice(this.parts.noShape, trouble ? NO_PICTURE[trouble] : '');
-      this.shape = new ShapeView(this.parts.shape, () => undefined, onTrouble);
-    } catch {
+    const shape = shapeViewIn(parts.shape, parts.noShape);
+    if (!shape) {
       this.noGraphics = true;
-      setNotice(this.parts.noShape, NO_SHAPE);
-      this.listener.noGraphics(NO_SHAPE);
+      this.listener.noGraphics(NO_WEBGL);
       return;
     }
-    this.shape.wheelZooms = this.parts.shape.matches(':focus');
+    screen.shape = shape;
+    shape.wheelZooms = parts.shape.matches(':focus');
     if (!this.record) return;
-    this.shape.setRecord(this.record);
-    if (this.pose) this.shape.pose = this.pose;
-    this.shape.sync();
-    if (this.step > 0) this.shape.showStep(this.step);
+    shape.setRecord(this.record);
+    if (this.pose) shape.pose = this.pose;
+    shape.sync();
+    if (this.currentStep > 0) shape.showStep(this.currentStep);
   }
 
   private grown(): void {
     const { record } = this;
-    if (!record) return;
-    const first = this.step === 0 && record.stepCount > 0;
-    if (record.ended || first || performance.now() >= this.picturesDue) {
-      this.picturesDue = performance.now() + PICTURES_EVERY_MS;
-      this.shape?.sync();
-      this.transport.setSteps(record.stepCount);
-      this.diagram.requestPaint();
-      this.follow(record);
-    }
-    this.showState();
+    if (!record || !this.screen.grown()) return;
+    this.transport.setSteps(record.stepCount);
+    this.follow(record);
   }
 
   /** As far towards the destination as the record reaches. */
@@ -319,10 +295,8 @@ export class Viewer {
     const { record } = this;
     if (!record) return;
     this.cards = cards;
-    this.diagram.setCards(cards);
-    this.cardList.show(cards, record.ended);
     this.cardsComplete = record.ended;
-    if (this.step > 0) this.markCard(record.summary(this.step));
+    this.arriveAt(this.screen.showCards(cards));
   }
 
   private ended(stopped: Failure | undefined): void {
@@ -339,34 +313,20 @@ export class Viewer {
     this.listener.failed(error);
   }
 
-  private showState(): void {
-    const { dataset } = this.parts.view;
-    dataset['runState'] = this.record?.state ?? 'empty';
-    dataset['steps'] = String(this.record?.stepCount ?? 0);
-    dataset['hash'] = this.record?.hash ?? '';
-  }
-
   private showStep(step: number, recent = step): void {
     const { record } = this;
     if (!record) return;
-    const other = step !== this.step;
-    this.step = step;
-    const summary = record.summary(step);
-    this.shape?.showStep(step, recent);
-    this.diagram.showStep(step);
+    const other = step !== this.currentStep;
+    const { summary, card } = this.screen.showStep(record, step, recent);
     this.transport.showStep(summary);
-    this.markCard(summary);
+    this.arriveAt(card);
     this.status.show(record, summary, this.film.playing || this.destination !== undefined);
-    const { dataset } = this.parts.view;
-    dataset['step'] = String(step);
-    dataset['betti'] = summary.betti.join(',');
     if (other) this.listener.stepped(summary);
   }
 
   /** While the playhead follows the computation plateaus come and go: none is told of. */
-  private markCard(summary: StepSummary): void {
-    const card = this.cardList.mark(summary);
-    if (this.destination) return;
+  private arriveAt(card: PlateauCard | undefined): void {
+    if (this.destination || this.currentStep === 0) return;
     this.announcer.at(card);
     const name = card ? `${card.firstStep} ${card.family} ${card.betti.join()}` : '';
     if (name === this.arrivedAt) return;

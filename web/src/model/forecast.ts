@@ -71,6 +71,17 @@ export function memoryInWords(bytes: number): string {
     : `${(megabytes / 1024).toFixed(1)}\u00a0GB`;
 }
 
+/** What a run holds, or will. */
+function memoryOf(record: RunRecord): number {
+  const { ended, memoryBytes, estimatedBytes, memoryLimitBytes } = record;
+  return ended ? memoryBytes : Math.max(memoryBytes, Math.min(estimatedBytes, memoryLimitBytes));
+}
+
+/** What a second run may take: both live in one memory. `replaced`: one that is closed as soon as the second is open. */
+export function memoryBeside(first: RunRecord, replaced?: RunRecord): number {
+  return Math.max(0, first.memoryLimitBytes - memoryOf(first) - (replaced ? memoryOf(replaced) : 0));
+}
+
 /** "computed 1,234 of 100,000", and for a scan what memory and time it takes. */
 export function progressInWords(record: RunRecord, rate: number | undefined): string {
   const parts = [`computed ${grouped(record.stepCount)} of ${grouped(record.stepsPlanned)}`];

@@ -1,5 +1,4 @@
-import type { RunRecord } from './record.ts';
-import { scaleOf, stepAt } from './scale-axis.ts';
+import { scaleOf, stepAt, type Scales } from './scale-axis.ts';
 
 /** The first landmarks are seen one by one. */
 const SINGLE_STEPS = 20;
@@ -26,7 +25,7 @@ export class Playback {
   }
 
   /** The step to show `passedMs` after `step` was; never beyond what is computed. */
-  advance(record: RunRecord, step: number, passedMs: number): number {
+  advance(record: Scales, step: number, passedMs: number): number {
     const elapsedMs = passedMs * this.speed;
     if (step >= record.stepCount) {
       this.restart();

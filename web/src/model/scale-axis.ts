@@ -1,5 +1,11 @@
 import type { RunRecord } from './record.ts';
 
+/** The ε of steps, from 1 on: they never grow. A record has them, and what is made of several. */
+export interface Scales {
+  readonly stepCount: number;
+  epsilon(step: number): number;
+}
+
 /**
  * Steps laid out along ln(1/ε): where a step begins on the axis, and which step is shown at a place. Where ε is 0
  * (all points are landmarks, or only duplicates are left) the last positive ε counts, a little further right.
@@ -28,7 +34,7 @@ export function scaleAtPlace(kind: AxisKind, place: number): number {
 /** The room for the last step, and for steps with ε = 0. */
 const TAIL = 0.12;
 
-export function scaleOf(record: RunRecord, step: number): number {
+export function scaleOf(record: Scales, step: number): number {
   const epsilon = record.epsilon(step);
   if (epsilon > 0) return -Math.log(epsilon);
   const last = lastPositiveStep(record);
@@ -36,12 +42,12 @@ export function scaleOf(record: RunRecord, step: number): number {
 }
 
 /** The last computed step with ε > 0, 0 if there is none. ε never grows. */
-export function lastPositiveStep(record: RunRecord): number {
+export function lastPositiveStep(record: Scales): number {
   return lastStepWhere(record, (step) => record.epsilon(step) > 0);
 }
 
 /** The last step for which the condition holds; it must hold up to some step and not after. 0: for none. */
-function lastStepWhere(record: RunRecord, holds: (step: number) => boolean): number {
+export function lastStepWhere(record: Scales, holds: (step: number) => boolean): number {
   let low = 0;
   let high = record.stepCount;
   while (low < high) {
@@ -53,11 +59,16 @@ function lastStepWhere(record: RunRecord, holds: (step: number) => boolean): num
 }
 
 /** The last step that begins at the place or before; at least 1. */
-export function stepAt(record: RunRecord, scale: number): number {
+export function stepAt(record: Scales, scale: number): number {
   return Math.max(
     1,
     lastStepWhere(record, (step) => scaleOf(record, step) <= scale),
   );
+}
+
+/** The last step that begins before the place; 0 if there is none. */
+export function stepBefore(record: Scales, scale: number): number {
+  return lastStepWhere(record, (step) => scaleOf(record, step) < scale);
 }
 
 /**
@@ -76,4 +87,14 @@ export function axisOf(record: RunRecord): ScaleAxis {
   const expected = computed + slope * Math.log(record.stepsPlanned / count);
   const high = low + Math.ceil((Math.max(expected, computed) - low) * 4) / 4;
   return { low, computed, high: Math.max(high, low + 1) };
+}
+
+/** The part of ln(1/ε) that a diagram shows. */
+export type ScaleRange = Pick<ScaleAxis, 'low' | 'high'>;
+
+/** One axis on which several runs can be laid out. */
+export function jointRange(records: readonly RunRecord[]): ScaleRange {
+  const axes = records.filter(({ stepCount }) => stepCount > 0).map(axisOf);
+  if (axes.length === 0) return { low: 0, high: 1 };
+  return { low: Math.min(...axes.map(({ low }) => low)), high: Math.max(...axes.map(({ high }) => high)) };
 }

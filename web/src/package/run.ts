@@ -1,6 +1,6 @@
 import type { RemoteRun } from '../client/plateau-client.ts';
 import { PlateauError } from '../client/plateau-error.ts';
-import { RunRecord, shownFamilyName, type StepSummary } from '../model/record.ts';
+import { RunRecord, shownFamilyName, type StepSummary, type Torsion } from '../model/record.ts';
 import { shapeInWords } from '../model/words.ts';
 import type { Inspection } from '../worker/inspection.ts';
 import type {
@@ -25,6 +25,8 @@ export interface Step {
   readonly family: ShownFamily;
   /** Betti numbers: components, loops, voids, … */
   readonly betti: readonly number[];
+  /** Those over another field, where they differ: the shape has torsion. */
+  readonly torsion?: Torsion;
 }
 
 /** A range of scales at which the Betti numbers stand still. */
@@ -39,6 +41,8 @@ export interface Plateau {
   readonly length: number;
   readonly family: ShownFamily;
   readonly betti: readonly number[];
+  /** Those over another field, where they differ: the shape has torsion. */
+  readonly torsion?: Torsion;
   /** What a shape with these Betti numbers looks like, such as "torus-like closed surface". */
   readonly shape: string;
 }
@@ -64,9 +68,12 @@ function withoutSimplices(delta: Delta): Delta {
   };
 }
 
-function listOf(plateaus: Plateaus, bettiCount: number): Plateau[] {
+function listOf(plateaus: Plateaus, { bettiCount, otherField: field }: RunRecord): Plateau[] {
   return Array.from(plateaus.ranked, (i) => {
-    const betti = [...plateaus.betti.subarray(i * bettiCount, (i + 1) * bettiCount)];
+    const numbersOf = (all: Uint32Array): number[] => [...all.subarray(i * bettiCount, (i + 1) * bettiCount)];
+    const betti = numbersOf(plateaus.betti);
+    const other = numbersOf(plateaus.torsion);
+    const torsion = other[0] ? { field, betti: other } : undefined;
     const family = shownFamilyName(plateaus.family[i] ?? 1);
     return {
       firstStep: plateaus.firstStep[i] ?? 0,
@@ -77,7 +84,8 @@ function listOf(plateaus: Plateaus, bettiCount: number): Plateau[] {
       length: Math.log(plateaus.ratio[i] ?? 1),
       family,
       betti,
-      shape: shapeInWords(family, betti),
+      ...(torsion ? { torsion } : {}),
+      shape: shapeInWords(family, betti, torsion?.betti),
     };
   });
 }
@@ -142,7 +150,7 @@ export class Run implements AsyncIterable<Step> {
   /** All plateaus of the whole run, the longest first. */
   async plateaus(): Promise<readonly Plateau[]> {
     await this.end();
-    return listOf(await this.remote.fetchPlateaus(), this.record.bettiCount);
+    return listOf(await this.remote.fetchPlateaus(), this.record);
   }
 
   /** A file in the format of the command; `step` is for the mesh and is the middle of the longest plateau if not given. */
@@ -188,8 +196,9 @@ export class Run implements AsyncIterable<Step> {
   }
 
   private at(step: number): Step {
-    const { epsilon, family, betti }: StepSummary = this.record.summary(step);
-    return { step, landmark: this.record.landmark(step), epsilon, family, betti };
+    const { epsilon, family, betti, torsion }: StepSummary = this.record.summary(step);
+    const about = { step, landmark: this.record.landmark(step), epsilon, family, betti };
+    return torsion ? { ...about, torsion } : about;
   }
 
   /** Waits for what comes next: whoever asks meanwhile waits for the same. */

@@ -1,5 +1,6 @@
 /** What the entries for browsers and for Node.js have in common. */
 export { PlateauError, type ErrorCode } from '../client/plateau-error.ts';
+export type { Torsion } from '../model/record.ts';
 export type { ExportFormat, Family, Metric, RunOptions, ShownFamily } from '../worker/protocol.ts';
 export type { BestWitness, Inspection, SurfacePlace, Verdict } from '../worker/inspection.ts';
 export type { Cloud, FileCloud, PointCloud, ShapeCloud } from './cloud.ts';

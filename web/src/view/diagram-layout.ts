@@ -9,6 +9,7 @@ import {
   stepAt,
   type AxisKind,
   type ScaleAxis,
+  type ScaleRange,
 } from '../model/scale-axis.ts';
 import { bettiList } from '../model/words.ts';
 import type { ShownFamily } from '../worker/protocol.ts';
@@ -56,6 +57,8 @@ export interface DiagramSize {
   readonly kind?: AxisKind;
   /** Plateaus of an earlier run of the same points to compare with. */
   readonly earlier?: readonly PlateauCard[];
+  /** The part of the scale to show; without it, that of the run. */
+  readonly range?: ScaleRange | undefined;
 }
 
 /** Height of the strip of earlier bands, and its distance from what is below. */
@@ -173,7 +176,7 @@ function steppedLine(
 
 export function layOut(record: RunRecord, cards: readonly PlateauCard[], size: DiagramSize): DiagramLayout {
   const { width, resolution, kind = 'log', earlier = [] } = size;
-  const axis = axisOf(record);
+  const axis = { ...axisOf(record), ...size.range };
   const frame = {
     left: MARGIN.left,
     right: width - MARGIN.right,

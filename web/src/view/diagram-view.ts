@@ -1,6 +1,6 @@
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
-import { axisOf, scaleOf, stepAt, type AxisKind } from '../model/scale-axis.ts';
+import { axisOf, scaleOf, stepAt, type AxisKind, type ScaleRange } from '../model/scale-axis.ts';
 import { readable, grouped } from '../model/numbers.ts';
 import { bettiInNumbers } from '../model/words.ts';
 import { layOut, scaleToX, STRIP, xToScale, type Band, type DiagramLayout } from './diagram-layout.ts';
@@ -135,6 +135,9 @@ export class DiagramView {
   private step = 0;
   private paintRequest = 0;
   private kind: AxisKind = 'log';
+  private range: ScaleRange | undefined;
+  /** Where the playhead stands, if not where its step begins. */
+  private place: number | undefined;
   private dragged = false;
   /** The finger that is down scrolls, or taps. */
   private tapped = false;
@@ -144,7 +147,7 @@ export class DiagramView {
   constructor(
     private readonly container: HTMLElement,
     private readonly scroller: HTMLElement,
-    private readonly onScrub: (step: number) => void,
+    private readonly onScrub: (step: number, scale: number) => void,
   ) {
     this.playhead.className = 'playhead';
     this.playhead.hidden = true;
@@ -175,9 +178,10 @@ export class DiagramView {
     this.requestPaint();
   }
 
-  /** Moves the playhead. */
-  showStep(step: number): void {
+  /** Moves the playhead; `scale`: to this place, where the step has begun already. */
+  showStep(step: number, scale?: number): void {
     this.step = step;
+    this.place = scale;
     this.moved = this.paintRequest !== 0;
     this.placePlayhead();
     this.keepInSight();
@@ -189,6 +193,13 @@ export class DiagramView {
 
   setAxis(kind: AxisKind): void {
     this.kind = kind;
+    this.requestPaint();
+  }
+
+  /** Shows this part of the scale and not just that of the run: several diagrams have one axis. */
+  setRange(range: ScaleRange): void {
+    if (this.range?.low === range.low && this.range.high === range.high) return;
+    this.range = range;
     this.requestPaint();
   }
 
@@ -218,7 +229,7 @@ export class DiagramView {
   private get width(): number {
     const { clientWidth } = this.scroller;
     if (!this.record) return clientWidth;
-    const { low, high } = axisOf(this.record);
+    const { low, high } = this.range ?? axisOf(this.record);
     return Math.max(clientWidth, Math.min(READABLE_WIDTH, Math.round((high - low) * LEAST_E_FOLD)));
   }
 
@@ -240,15 +251,17 @@ export class DiagramView {
     }
     const css = getComputedStyle(this.container);
     const style: Style = (name) => css.getPropertyValue(name).trim();
-    const { kind, earlier } = this;
-    const layout = layOut(this.record, this.cards, { width, height, resolution: ratio, kind, earlier });
+    const { kind, earlier, range } = this;
+    const layout = layOut(this.record, this.cards, {
+      ...{ width, height, resolution: ratio, kind, earlier, range },
+    });
     context.setTransform(ratio, 0, 0, ratio, -scrollLeft * ratio, 0);
     context.clearRect(scrollLeft, 0, seen, height);
     context.font = `${style('--small')} ${css.fontFamily}`;
     context.textBaseline = 'middle';
     paintBands(context, layout.bands, layout.top, layout.bottom - layout.top, style);
     paintEarlier(context, layout, style);
-    paintOpenRange(context, layout, style);
+    if (!this.record.ended) paintOpenRange(context, layout, style);
     paintAxes(context, layout, style);
     paintSeries(context, layout, style);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -270,7 +283,9 @@ export class DiagramView {
 
   private get playheadAt(): number {
     if (!this.record || !this.layout || this.step < 1) return 0;
-    return scaleToX(this.layout, scaleOf(this.record, this.step));
+    const { left, right } = this.layout;
+    const at = scaleToX(this.layout, this.place ?? scaleOf(this.record, this.step));
+    return Math.min(right, Math.max(left, at));
   }
 
   /** A playhead that leaves the visible part of the diagram takes it along. */
@@ -333,6 +348,7 @@ export class DiagramView {
   private scrubTo(clientX: number): void {
     if (!this.record || !this.layout || this.record.stepCount === 0) return;
     const x = clientX - this.container.getBoundingClientRect().left;
-    this.onScrub(stepAt(this.record, xToScale(this.layout, x)));
+    const scale = xToScale(this.layout, x);
+    this.onScrub(stepAt(this.record, scale), scale);
   }
 }

@@ -52,7 +52,8 @@ export type ShapeTrouble = 'lost' | 'crowded';
 export class ShapeView {
   private readonly renderer: WebGLRenderer;
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.02, 100);
-  private readonly controls: OrbitControls;
+  /** Tell when the eye has moved: see LinkedCameras. */
+  readonly controls: OrbitControls;
   private readonly scene = new Scene();
   private readonly materials: SceneMaterials;
   private readonly resizing: ResizeObserver;
