@@ -2,6 +2,7 @@
  * The face of the WebAssembly module (build/wasm/bin/plateau.mjs), written by hand against run.h.
  * Everything that comes back is a plain object of typed arrays that JavaScript owns: it can be transferred.
  */
+import type { Inspection, PlanePicture, PlaneScene, PlaneView } from '../web/src/worker/inspection.ts';
 import type {
   CloudSource,
   Delta,
@@ -45,10 +46,17 @@ export interface ModuleRun {
     step: number | undefined,
     view?: string,
   ): { readonly kind: 'file'; readonly bytes: Uint8Array<ArrayBuffer> } | Failed;
+  /** Why the simplex of these landmarks (steps) is there at the step, or why not. */
+  inspect(step: number, vertices: ArrayLike<number>): Inspected | Failed;
   /** 16 hexadecimal digits over all complete steps. */
   hash(): string;
   /** Frees the run's memory inside the module. */
   delete(): void;
+}
+
+export interface Inspected {
+  readonly kind: 'inspection';
+  readonly inspection: Inspection;
 }
 
 export interface SampleShape {
@@ -62,6 +70,9 @@ export interface SampleShape {
 export interface PlateauModule {
   readonly Run: new (source: CloudSource, options: RunOptions) => ModuleRun;
   sampleShapes(): SampleShape[];
+  planePicture(view: PlaneView): { readonly kind: 'planePicture'; readonly picture: PlanePicture } | Failed;
+  /** `vertices`: places in the array of landmarks. */
+  planeWhy(scene: PlaneScene, vertices: ArrayLike<number>): Inspected | Failed;
 }
 
 export interface ModuleOptions {

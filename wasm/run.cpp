@@ -7,6 +7,7 @@
 #include "cloud/samples.h"
 #include "delta.h"
 #include "exports.h"
+#include "inspection.h"
 #include "io/family_name.h"
 #include "io/metric_name.h"
 #include "io/saved_options.h"
@@ -249,6 +250,22 @@ val Run::export_with_view(const std::string& format, const val& step, const val&
 
 val Run::export_file(const std::string& format, const val& step) const {
     return export_with_view(format, step, val::undefined());
+}
+
+val Run::inspect(const val& step, const val& vertices) const {
+    return marshal::guarded([&] {
+        if (!session_) return marshal::failed(not_open());
+        const auto at = marshal::count_of(step, "The step");
+        if (!at) return marshal::failed(at.error());
+        auto landmarks = marshal::counts_of(vertices, "Each landmark");
+        if (!landmarks) return marshal::failed(landmarks.error());
+        const auto inspection = session_->inspect(at.value(), std::move(landmarks).value());
+        if (!inspection) return marshal::failed(inspection.error());
+        val answer = val::object();
+        answer.set("kind", std::string("inspection"));
+        answer.set("inspection", marshal::inspection_of(inspection.value(), 1));
+        return answer;
+    });
 }
 
 std::string Run::hash() const {

@@ -34,6 +34,8 @@ public:
     emscripten::val export_with_view(const std::string& format, const emscripten::val& step,
                                      const emscripten::val& view) const;
     emscripten::val export_file(const std::string& format, const emscripten::val& step) const;
+    /// Why the simplex of these landmarks (steps) is there at the step, or why not: {kind: 'inspection', inspection}.
+    emscripten::val inspect(const emscripten::val& step, const emscripten::val& vertices) const;
     /// 16 hexadecimal digits over all complete steps. Cost: the steps since the last call, or the last delta.
     std::string hash() const;
 

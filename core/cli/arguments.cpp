@@ -24,6 +24,7 @@ struct RawText {
     std::string metric;
     std::string box;
     std::string sliver;
+    std::string simplex;
     bool theory = false;
 };
 
@@ -166,7 +167,8 @@ void add_dilated(CLI::App& app, DilatedOptions& dilated, RawText& raw) {
         ->excludes(dilation);
 }
 
-void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
+/// What is computed, and from what.
+void add_input(CLI::App& app, RunArguments& run, RawText& raw) {
     app.add_option("INPUT", run.input,
                    "Point file (.xyz .txt .csv .ply .off .obj .pcd .npy), distance matrix (.csv .txt .npy) or session "
                    "(.plateau), - for standard input")
@@ -176,14 +178,6 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
                    "dilated, else witness]");
     app.add_option("--nu", raw.nu, "Ranks of the witnesses by dimension, such as 1,6,6,4 [as the family]");
     app.add_option("--first", run.options.first, "Input index of the first landmark, from 0")->capture_default_str();
-    app.add_option("--steps", run.options.max_steps, "Most landmarks to insert [all]");
-    app.add_option("--until", raw.until,
-                   "Stop once epsilon is at most this, in input units; noise: at the median distance of a point to its "
-                   "nearest other one");
-    auto* length =
-        app.add_option("--min-length", run.options.min_length,
-                       "Stop once a plateau is this long: the natural logarithm of the ratio of its epsilons");
-    app.add_option("--nth", run.nth, "Go on to the n-th plateau of --min-length")->needs(length)->capture_default_str();
     app.add_option("--memory", raw.megabytes,
                    "Most memory to take, in MB; the run stops there [four fifths of the machine's]");
     app.add_option("--rho", run.options.rho, "Surface: drop triangles of a larger radius-edge ratio [off]");
@@ -201,6 +195,18 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
                    "Families witness and dilated: Betti numbers over Z/p for this prime p")
         ->capture_default_str();
     app.add_option("--columns", raw.columns, "Columns that are the coordinates, from 1, such as 1,2,3 [all]");
+}
+
+void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
+    add_input(app, run, raw);
+    app.add_option("--steps", run.options.max_steps, "Most landmarks to insert [all]");
+    app.add_option("--until", raw.until,
+                   "Stop once epsilon is at most this, in input units; noise: at the median distance of a point to its "
+                   "nearest other one");
+    auto* length =
+        app.add_option("--min-length", run.options.min_length,
+                       "Stop once a plateau is this long: the natural logarithm of the ratio of its epsilons");
+    app.add_option("--nth", run.nth, "Go on to the n-th plateau of --min-length")->needs(length)->capture_default_str();
     app.add_option("--betti", run.betti, "Write the Betti numbers of every step (CSV); - for standard output");
     app.add_option("--plateaus", run.plateaus, "Write the plateaus (JSON); - for standard output");
     app.add_option("--pumps", run.pumps, "Write the weight of every landmark (CSV); - for standard output");
@@ -219,6 +225,12 @@ void add_run(CLI::App& app, RunArguments& run, RawText& raw) {
                    "Step of --mesh, --complex, --report and --session [the middle of the longest plateau]");
     app.add_flag("--hash", run.hash, "Print the hash of the run as the last line");
     app.add_flag("--progress", run.progress, "Report progress also where standard error is no terminal");
+}
+
+void add_inspect(CLI::App& app, InspectArguments& inspect, RawText& raw) {
+    add_input(app, inspect.run, raw);
+    app.add_option("--step", inspect.step, "Step to look at, from 1")->required();
+    app.add_option("--simplex", raw.simplex, "Landmarks by their steps, such as 3,7,12")->required();
 }
 
 void add_sample(CLI::App& app, SampleArguments& sample, CLI::Option*& size) {
@@ -249,6 +261,8 @@ std::string one_line(std::string text) {
 Result<Arguments> parse_arguments(int count, const char* const* values) {
     RunArguments run;
     RawText raw;
+    InspectArguments inspect;
+    RawText inspect_raw;
     SampleArguments sample;
     CLI::Option* sample_size = nullptr;
     CLI::App app("Plateau reads a point cloud and shows, scale by scale, which shapes it may have been sampled from.",
@@ -256,8 +270,11 @@ Result<Arguments> parse_arguments(int count, const char* const* values) {
     app.set_version_flag("--version", std::string("plateau ") + PLATEAU_VERSION);
     app.require_subcommand(1);
     CLI::App* run_app = app.add_subcommand("run", "Insert the points one by one and report the plateaus");
+    CLI::App* inspect_app =
+        app.add_subcommand("inspect", "Say why a simplex is in the complex of a step, or why not");
     CLI::App* sample_app = app.add_subcommand("sample", "Print points of a built-in shape");
     add_run(*run_app, run, raw);
+    add_inspect(*inspect_app, inspect, inspect_raw);
     add_sample(*sample_app, sample, sample_size);
     // The parser reports by exceptions; they end here.
     try {
@@ -269,15 +286,30 @@ Result<Arguments> parse_arguments(int count, const char* const* values) {
     } catch (const CLI::ParseError& error) {
         return invalid(one_line(error.what()) + " (see plateau --help)");
     }
-    if (run_app->parsed()) {
-        if (auto error = complete(run, raw)) return std::move(*error);
-        if (auto error = complete_metric(run, raw, run_app->count("--knn") > 0)) return std::move(*error);
-        if (auto error = check_outputs(run)) return std::move(*error);
-        for (const CLI::Option* option : run_app->get_options()) {
+    const auto complete_run = [](const CLI::App& parsed, RunArguments& arguments, const RawText& given) {
+        auto error = complete(arguments, given);
+        if (!error) error = complete_metric(arguments, given, parsed.count("--knn") > 0);
+        for (const CLI::Option* option : parsed.get_options()) {
             if (option->count() == 0) continue;
-            for (const std::string& name : option->get_lnames()) run.named.push_back(name);
+            for (const std::string& name : option->get_lnames()) arguments.named.push_back(name);
         }
+        return error;
+    };
+    if (run_app->parsed()) {
+        if (auto error = complete_run(*run_app, run, raw)) return std::move(*error);
+        if (auto error = check_outputs(run)) return std::move(*error);
         return Arguments(std::move(run));
+    }
+    if (inspect_app->parsed()) {
+        if (auto error = complete_run(*inspect_app, inspect.run, inspect_raw)) return std::move(*error);
+        auto simplex = parse_list(inspect_raw.simplex, "--simplex");
+        if (!simplex) return simplex.error();
+        inspect.simplex = std::move(simplex).value();
+        if (inspect.step == 0) return invalid("--step 0 is out of range: steps are counted from 1.");
+        // A session file need not be followed to where it stood.
+        inspect.run.options.max_steps = inspect.step;
+        inspect.run.named.push_back("steps");
+        return Arguments(std::move(inspect));
     }
     if (sample_size->count() == 0) {
         for (const SampleShape& shape : sample_shapes()) {

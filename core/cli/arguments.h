@@ -39,6 +39,13 @@ struct RunArguments {
     }
 };
 
+/// `plateau inspect`.
+struct InspectArguments {
+    RunArguments run;  ///< input and options; no outputs
+    Step step = 0;
+    std::vector<Step> simplex;
+};
+
 /// `plateau sample`.
 struct SampleArguments {
     std::string shape;
@@ -50,7 +57,7 @@ struct TextRequest {
     std::string text;
 };
 
-using Arguments = std::variant<RunArguments, SampleArguments, TextRequest>;
+using Arguments = std::variant<RunArguments, InspectArguments, SampleArguments, TextRequest>;
 
 /// Reads the command line. The error's message is one line.
 Result<Arguments> parse_arguments(int count, const char* const* values);

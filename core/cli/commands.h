@@ -12,6 +12,9 @@ inline constexpr int kInterrupted = 130;
 /// Reads, runs and writes; returns the exit code. An error is reported by the caller.
 Result<int> run(const RunArguments& arguments);
 
+/// Prints why the simplex is there, or why not, in one line.
+Result<int> inspect(const InspectArguments& arguments);
+
 /// Prints the sample on standard output.
 Result<int> sample(const SampleArguments& arguments);
 

@@ -1,4 +1,6 @@
 #include <cstdio>
+#include <type_traits>
+#include <variant>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
@@ -22,8 +24,14 @@ int main(int count, char** values) {
         const auto error = write_file("-", request->text);
         return error ? report(*error) : kDone;
     }
-    const auto* run_arguments = std::get_if<RunArguments>(&arguments.value());
-    const auto code =
-        run_arguments != nullptr ? run(*run_arguments) : sample(*std::get_if<SampleArguments>(&arguments.value()));
+    const auto code = std::visit(
+        [](const auto& asked) -> plateau::Result<int> {
+            using Asked = std::decay_t<decltype(asked)>;
+            if constexpr (std::is_same_v<Asked, RunArguments>) return run(asked);
+            if constexpr (std::is_same_v<Asked, InspectArguments>) return inspect(asked);
+            if constexpr (std::is_same_v<Asked, SampleArguments>) return sample(asked);
+            return kDone;
+        },
+        arguments.value());
     return code ? code.value() : report(code.error());
 }

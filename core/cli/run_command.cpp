@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -8,9 +6,9 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/open_input.h"
 #include "cli/progress_line.h"
 #include "cli/saved_session.h"
-#include "io/cloud_reader.h"
 #include "io/complex_vtk.h"
 #include "io/mesh_files.h"
 #include "io/report_json.h"
@@ -19,9 +17,6 @@
 
 namespace plateau::cli {
 namespace {
-
-/// Long enough to work, short enough that Ctrl-C feels immediate.
-constexpr double kSliceMs = 50;
 
 std::optional<Error> check_outputs(const RunArguments& arguments) {
     for (const std::string* path : arguments.outputs()) {
@@ -97,14 +92,6 @@ std::optional<Error> objection_to(const RunArguments& arguments, const Session& 
     return std::nullopt;
 }
 
-/// Bytes that a run may take on this machine: four fifths of its memory.
-std::uint64_t usable_memory() {
-    const long pages = sysconf(_SC_PHYS_PAGES);
-    const long page_size = sysconf(_SC_PAGESIZE);
-    if (pages <= 0 || page_size <= 0) return RunOptions{}.memory_limit;
-    return static_cast<std::uint64_t>(pages) / 5 * 4 * static_cast<std::uint64_t>(page_size);
-}
-
 /// A cloud in a plane or on a line is computed as such, and the user should know.
 std::optional<std::string> degeneracy(const Timeline& timeline) {
     if (!is_within_delaunay(timeline.family) || timeline.step_count == 0) return std::nullopt;
@@ -133,36 +120,10 @@ void report(const std::vector<std::string>& notes) {
 
 Result<int> run(const RunArguments& arguments) {
     if (auto error = check_outputs(arguments)) return std::move(*error);
-    auto bytes = read_file(arguments.input);
-    if (!bytes) return bytes.error();
-    RunOptions options = arguments.options;
-    options.memory_limit = arguments.memory_limit.value_or(usable_memory());
-    const bool is_matrix = options.metric.metric == Metric::Matrix;
-    CloudReader reader(std::move(bytes).value(), arguments.input,
-                       {.columns = arguments.columns,
-                        .as = is_matrix ? ReadAs::Distances : ReadAs::PointsOfAnyDimension,
-                        .memory_limit = options.memory_limit});
-    while (!interrupted() && !reader.advance(kSliceMs)) {
-    }
-    if (interrupted()) return kInterrupted;
-    auto read = reader.take();
-    if (!read) {
-        const std::string name = arguments.input == "-" ? "standard input" : arguments.input;
-        return Error{read.error().code, name + ": " + read.error().message};
-    }
-    std::vector<std::string> notes = std::move(read.value().warnings);
-    const std::optional<SavedRun> saved = std::move(read.value().saved);
-    if (saved) {
-        const std::uint64_t memory_limit = options.memory_limit;
-        auto known = continued(*saved, arguments);
-        if (!known) return known.error();
-        options = std::move(known).value();
-        options.memory_limit = memory_limit;
-    }
-
-    auto opened = Session::open(std::move(read.value().cloud), options);
-    if (!opened) return opened.error();
-    Session session = std::move(opened).value();
+    auto input = open_input(arguments);
+    if (!input) return input.error();
+    if (!input.value()) return kInterrupted;
+    auto& [session, notes, saved] = *input.value();
     if (auto objection = objection_to(arguments, session)) return std::move(*objection);
 
     const Progress progress = run_to_end(session, arguments.nth, arguments.progress);

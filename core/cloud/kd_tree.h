@@ -73,6 +73,20 @@ public:
         }
         return sum;
     }
+    /// At least the squared distance to any point in the box of the node, rounding included.
+    template <class Axes>
+    double box_reach_squared(std::uint32_t node, const double* p, Axes axes) const {
+        const double* low = bounds_.data() + static_cast<std::size_t>(node) * 2 * axes;
+        const double* high = low + axes;
+        double sum = 0;
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            const double below = p[axis] - low[axis];
+            const double above = high[axis] - p[axis];
+            const double reach = below > above ? below : above;
+            sum += reach * reach;
+        }
+        return sum;
+    }
     template <class Axes>
     double point_distance_squared(std::uint32_t position, const double* p, Axes axes) const {
         const double* q = points_.data() + static_cast<std::size_t>(position) * axes;

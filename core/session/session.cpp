@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/words.h"
+#include "inspect/inspect_run.h"
 #include "landmarks/noise_scale.h"
 #include "metrics/distance_rows.h"
 #include "plateaus/plateau_watch.h"
@@ -174,6 +175,12 @@ const RunOptions& Session::options() const {
 }
 const Timeline& Session::timeline() const {
     return state_->engine.timeline();
+}
+Result<Inspection> Session::inspect(Step step, std::vector<Step> vertices) const {
+    const RunOptions& options = state_->options;
+    const EngineOptions engine = engine_options(options, state_->cloud.dimension);
+    const RunBasis basis{state_->cloud, options.metric, engine.nu, options.dilated.dilation, options.rho};
+    return inspect_run(basis, timeline(), step, std::move(vertices));
 }
 std::uint64_t Session::hash() const {
     return state_->engine.hash_at(timeline().step_count);

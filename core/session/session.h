@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "cloud/point_cloud.h"
 #include "dilated/dilated_complex.h"
+#include "inspect/inspection.h"
 #include "metrics/metric.h"
 #include "plateaus/plateaus.h"
 #include "timeline/timeline.h"
@@ -96,6 +97,9 @@ public:
     const RunOptions& options() const;  ///< with the defaults filled in
     const Timeline& timeline() const;
     std::vector<Plateau> plateaus() const { return find_plateaus(timeline()); }
+    /// Why the simplex of these landmarks (steps, in any order) is in the complex shown at the step, or why not; see
+    /// inspect_run(). What is computed further on is the same whether it is asked or not.
+    Result<Inspection> inspect(Step step, std::vector<Step> vertices) const;
     /// 64-bit FNV-1a over all complete steps: (step, landmark, bits of epsilon, births and deaths, rows, Betti vector).
     std::uint64_t hash() const;
     /// The hash that the run had when so many steps were complete. Precondition: step <= step_count().

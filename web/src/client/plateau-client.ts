@@ -1,3 +1,4 @@
+import type { Inspection, PlanePicture, PlaneScene, PlaneView } from '../worker/inspection.ts';
 import type {
   CloudSource,
   Delta,
@@ -45,6 +46,13 @@ export class RemoteRun {
     const event = await this.send({ kind: 'export', runId: this.runId, format, ...at, ...kept });
     if (event.kind !== 'exported') throw outOfTurn(event);
     return event.bytes;
+  }
+
+  /** Why the simplex of these landmarks (named by their steps) is in the complex shown at the step, or why not. */
+  async inspect(step: number, vertices: readonly number[]): Promise<Inspection> {
+    const event = await this.send({ kind: 'inspect', runId: this.runId, step, vertices });
+    if (event.kind !== 'inspected') throw outOfTurn(event);
+    return event.inspection;
   }
 
   async pause(): Promise<void> {
@@ -103,6 +111,23 @@ export class PlateauClient {
     } finally {
       signal?.removeEventListener('abort', abort);
     }
+  }
+
+  /** The exact picture of witnesses and landmarks in the plane; of no run. */
+  async planePicture(view: PlaneView): Promise<PlanePicture> {
+    const event = await this.link.send({ kind: 'drawPlane', runId: 0, view });
+    if (event.kind !== 'planeDrawn') throw outOfTurn(event);
+    return event.picture;
+  }
+
+  /**
+   * Why the simplex of these landmarks, named by their places in the array from 0 on, is in the complex of the scene, or
+   * why not. Steps and lifespans mean nothing there; the words count landmarks from 1.
+   */
+  async planeWhy(scene: PlaneScene, vertices: readonly number[]): Promise<Inspection> {
+    const event = await this.link.send({ kind: 'inspectPlane', runId: 0, scene, vertices });
+    if (event.kind !== 'inspected') throw outOfTurn(event);
+    return event.inspection;
   }
 
   dispose(): void {

@@ -2,6 +2,7 @@ import type { RemoteRun } from '../client/plateau-client.ts';
 import { PlateauError } from '../client/plateau-error.ts';
 import { RunRecord, shownFamilyName, type StepSummary } from '../model/record.ts';
 import { shapeInWords } from '../model/words.ts';
+import type { Inspection } from '../worker/inspection.ts';
 import type {
   Delta,
   ExportFormat,
@@ -147,6 +148,15 @@ export class Run implements AsyncIterable<Step> {
   /** A file in the format of the command; `step` is for the mesh and is the middle of the longest plateau if not given. */
   exportFile(format: ExportFormat, step?: number): Promise<Uint8Array> {
     return this.remote.exportFile(format, step);
+  }
+
+  /**
+   * Why the simplex of these landmarks, named by their steps, is in the complex shown at the step, or why not; waits for
+   * the step if it is still to come. See `Inspection.text` for the answer in words.
+   */
+  async inspect(step: number, vertices: readonly number[]): Promise<Inspection> {
+    while (step > this.record.stepCount && !this.record.ended) await this.pull();
+    return this.remote.inspect(step, vertices);
   }
 
   /** Computes no further until `resume`. */

@@ -1,4 +1,5 @@
 import type { Failed, ModuleRun, PlateauModule, Progress } from 'plateau-module';
+import type { Inspection, PlanePicture, PlaneScene, PlaneView } from './inspection.ts';
 import type {
   CloudSource,
   Delta,
@@ -19,6 +20,20 @@ export class CoreFailure extends Error {
 function unwrapped<T extends object>(value: T | Failed): T {
   if ('failure' in value) throw new CoreFailure(value.failure);
   return value;
+}
+
+/** What belongs to no run: see `PlanePicture`. */
+export function planePicture(module: PlateauModule, view: PlaneView): PlanePicture {
+  return unwrapped(module.planePicture(view)).picture;
+}
+
+/** `vertices`: places in the array of landmarks. */
+export function planeWhy(
+  module: PlateauModule,
+  scene: PlaneScene,
+  vertices: readonly number[],
+): Inspection {
+  return unwrapped(module.planeWhy(scene, vertices)).inspection;
 }
 
 /** One run inside the module. `dispose` frees its memory there; nothing may be called after it. */
@@ -58,6 +73,10 @@ export class CoreSession {
 
   exportFile(format: ExportFormat, step: number | undefined, view?: string): Uint8Array<ArrayBuffer> {
     return unwrapped(this.run.exportFile(format, step, view)).bytes;
+  }
+
+  inspect(step: number, vertices: readonly number[]): Inspection {
+    return unwrapped(this.run.inspect(step, vertices)).inspection;
   }
 
   dispose(): void {

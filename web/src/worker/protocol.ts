@@ -4,6 +4,8 @@
  * with the same id (its answer or `failed`).
  */
 
+import type { Inspection, PlanePicture, PlaneScene, PlaneView } from './inspection.ts';
+
 export type Family = 'witness' | 'delaunay' | 'surface' | 'auto' | 'dilated';
 /** Which complex a step shows; never `auto`. */
 export type ShownFamily = 'witness' | 'delaunay' | 'surface' | 'dilated';
@@ -127,6 +129,24 @@ export type WorkerRequest =
       readonly format: ExportFormat;
       readonly step?: number;
       readonly view?: string;
+    }
+  /** Why the simplex of these landmarks (steps) is there at the step, or why not. */
+  | {
+      readonly kind: 'inspect';
+      readonly runId: number;
+      readonly requestId: number;
+      readonly step: number;
+      readonly vertices: readonly number[];
+    }
+  /** Of no run: 0. */
+  | { readonly kind: 'drawPlane'; readonly runId: 0; readonly requestId: number; readonly view: PlaneView }
+  /** `vertices`: places in the array of landmarks. */
+  | {
+      readonly kind: 'inspectPlane';
+      readonly runId: 0;
+      readonly requestId: number;
+      readonly scene: PlaneScene;
+      readonly vertices: readonly number[];
     }
   | { readonly kind: 'close'; readonly runId: number; readonly requestId: number };
 
@@ -286,6 +306,18 @@ export type WorkerEvent =
       readonly runId: number;
       readonly requestId: number;
       readonly bytes: Uint8Array;
+    }
+  | {
+      readonly kind: 'inspected';
+      readonly runId: number;
+      readonly requestId: number;
+      readonly inspection: Inspection;
+    }
+  | {
+      readonly kind: 'planeDrawn';
+      readonly runId: 0;
+      readonly requestId: number;
+      readonly picture: PlanePicture;
     }
   | { readonly kind: 'closed'; readonly runId: number; readonly requestId: number }
   | {

@@ -1,5 +1,5 @@
 import type { PlateauModule } from 'plateau-module';
-import { CoreFailure, CoreSession } from './core-session.ts';
+import { CoreFailure, CoreSession, planePicture, planeWhy } from './core-session.ts';
 import { frameOf } from './frame.ts';
 import type { OpenedRun, WorkerEvent, WorkerRequest } from './protocol.ts';
 import { buffersOf } from './transfer.ts';
@@ -95,6 +95,21 @@ export class WorkerRuntime {
       case 'export': {
         const bytes = this.entry(runId).core.exportFile(request.format, request.step, request.view);
         this.send({ kind: 'exported', runId, requestId, bytes });
+        return;
+      }
+      case 'inspect': {
+        const inspection = this.entry(runId).core.inspect(request.step, request.vertices);
+        this.send({ kind: 'inspected', runId, requestId, inspection });
+        return;
+      }
+      case 'drawPlane': {
+        const picture = planePicture(this.module, request.view);
+        this.send({ kind: 'planeDrawn', runId: 0, requestId, picture });
+        return;
+      }
+      case 'inspectPlane': {
+        const inspection = planeWhy(this.module, request.scene, request.vertices);
+        this.send({ kind: 'inspected', runId, requestId, inspection });
         return;
       }
       case 'close': {
