@@ -1,4 +1,4 @@
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import { formatPoints, onBoard, parsePoints } from '../../../web/src/sketch/points.ts';
 import { Computation, questionOf, type Computed } from '../../../web/src/sketch/computation.ts';
 import type { PlaneCore, PlanePicture, PlaneQuestion } from '../../../web/src/sketch/plane.ts';
@@ -36,6 +36,9 @@ class SlowCore implements PlaneCore {
   }
 }
 
+const unexpected = (error: unknown): never => {
+  throw error;
+};
 const moment = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
 
 describe('points of a board', () => {
@@ -114,7 +117,7 @@ describe('asking the core', () => {
   test('leaves out what a drag passes through, and shows the last state', async () => {
     const core = new SlowCore();
     const shown: Computed[] = [];
-    const computation = new Computation(core, (computed) => shown.push(computed), expect.unreachable);
+    const computation = new Computation(core, (computed) => shown.push(computed), unexpected);
     const at = (x: number): SketchState => stateOf({ landmarks: `${x},0` });
     computation.want(at(1), setting);
     await moment();
@@ -132,7 +135,7 @@ describe('asking the core', () => {
 
   test('asks for the order of the same witnesses once', async () => {
     const core = new SlowCore();
-    const computation = new Computation(core, () => undefined, expect.unreachable);
+    const computation = new Computation(core, () => undefined, unexpected);
     for (const step of ['1', '2', '3']) {
       computation.want(stateOf({ witnesses: '0,0 5,0 9,0', step }), setting);
       await moment();
@@ -152,12 +155,11 @@ describe('asking the core', () => {
       (computed) => shown.push(computed),
       (error) => failures.push(error),
     );
-    const { picture } = core;
-    core.picture = () => Promise.reject(new Error('too many'));
+    const refusing = vi.spyOn(core, 'picture').mockRejectedValueOnce(new Error('too many'));
     computation.want(stateOf({}), setting);
     await computation.settled();
     expect(failures).toHaveLength(1);
-    core.picture = picture;
+    refusing.mockRestore();
     computation.want(stateOf({}), setting);
     await moment();
     core.waiting.shift()?.();
