@@ -13,7 +13,8 @@ export interface BoardActions {
   step(forward: boolean): void;
   /** By so much, the selected point or the pen. */
   nudge(dx: number, dy: number): void;
-  drag(name: PointName, place: Point): void;
+  /** The selected point is there now. */
+  drag(place: Point): void;
   /** A drag ends: what it did counts as one change. */
   drop(): void;
   /** Without a place: at the pen. */
@@ -33,7 +34,7 @@ const STILL = 0.7;
 /** Mouse, pen and finger. */
 export function listenToPointers(board: Board, actions: BoardActions): void {
   const { svg } = board;
-  let held: { readonly name: PointName; readonly from: Point; moved: boolean } | undefined;
+  let held: { readonly from: Point; moved: boolean } | undefined;
 
   svg.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
@@ -43,7 +44,7 @@ export function listenToPointers(board: Board, actions: BoardActions): void {
     const tool = actions.tool();
     if (target && target.kind !== 'simplex' && tool !== 'ask') {
       actions.select(target);
-      held = { name: target, from: place, moved: false };
+      held = { from: place, moved: false };
       svg.setPointerCapture(event.pointerId);
       return;
     }
@@ -58,7 +59,7 @@ export function listenToPointers(board: Board, actions: BoardActions): void {
     const place = held && board.placeOf(event);
     if (!held || !place) return;
     held.moved ||= Math.hypot(place.x - held.from.x, place.y - held.from.y) > STILL;
-    if (held.moved) actions.drag(held.name, onBoard(place.x, place.y));
+    if (held.moved) actions.drag(onBoard(place.x, place.y));
   });
   const release = (): void => {
     if (held?.moved) actions.drop();

@@ -1,5 +1,5 @@
 import type { FarthestOrder, PlanePicture, Simplex } from './plane.ts';
-import { BOARD, type Point } from './points.ts';
+import { BOARD, samePlace, type Point } from './points.ts';
 import { landmarkName, witnessName } from './sketch-words.ts';
 import type { PointKind, PointName } from './sketch-state.ts';
 import { draw } from './svg.ts';
@@ -160,26 +160,23 @@ export class Board {
   private points(scene: Scene): SVGElement[] {
     const { landmarks, witnesses, selected, lit, layers, extra, extraIn, pen } = scene;
     const parts: SVGElement[] = [];
+    const reach: SVGElement[] = [];
     const names = layers.has('names');
     const point = (kind: PointKind, { x, y }: Point, index: number, label: string): void => {
       const chosen = selected?.kind === kind && selected.index === index;
       const glows = kind === 'witness' && lit.includes(index);
       const about = { 'data-hit': kind, 'data-at': index };
       const classes = [kind, ...(chosen ? ['selected'] : []), ...(glows ? ['lit'] : [])].join(' ');
-      parts.push(
-        draw('circle', {
-          cx: x,
-          cy: up(y),
-          r: kind === 'landmark' ? 1.7 : glows ? 1.5 : 1,
-          class: classes,
-          ...about,
-        }),
-        draw('circle', { cx: x, cy: up(y), r: kind === 'landmark' ? 4 : 3, class: 'reach', ...about }),
-      );
+      const radius = kind === 'landmark' ? 1.7 : glows ? 1.5 : 1;
+      parts.push(draw('circle', { cx: x, cy: up(y), r: radius, class: classes, ...about }));
+      // Where a witness is a landmark, the landmark is what a press means.
+      if (kind === 'landmark' || !landmarks.some((place) => samePlace(place, { x, y })))
+        reach.push(
+          draw('circle', { cx: x, cy: up(y), r: kind === 'landmark' ? 4 : 3, class: 'reach', ...about }),
+        );
       if (label !== '') parts.push(draw('text', { x: x + 2.2, y: up(y) - 2, class: `${kind}-name` }, label));
     };
     const last = extraIn && extra ? landmarks.length - 1 : -1;
-    // Those that are hit first are drawn last.
     landmarks.forEach((place, i) =>
       point('landmark', place, i, i === last ? 'a' : names ? landmarkName(i) : ''),
     );
@@ -199,7 +196,7 @@ export class Board {
       const arms = `M${x - 6} ${y}h4M${x + 2} ${y}h4M${x} ${y - 6}v4M${x} ${y + 2}v4`;
       parts.push(draw('path', { d: arms, class: marked ? 'cross chosen' : 'cross' }));
     }
-    return parts;
+    return [...parts, ...reach];
   }
 
   private corners({ landmarks }: Scene, vertices: readonly number[]): Point[] {

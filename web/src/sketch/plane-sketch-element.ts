@@ -4,11 +4,12 @@ import { Computation, questionOf, type Computed, type Setting } from './computat
 import type { PlaneCore, PlanePicture, PlaneQuestion, Reason } from './plane.ts';
 import { BOARD, onBoard, parsePoints, type Point } from './points.ts';
 import { figureInWords } from './figure-in-words.ts';
-import { landmarkName, summary, witnessName } from './sketch-words.ts';
+import { pointInWords, summary } from './sketch-words.ts';
 import { createParts, type SketchParts } from './sketch-parts.ts';
 import * as states from './sketch-state.ts';
 import type { PointKind, PointName, SketchState } from './sketch-state.ts';
 import { sketchStyle } from './sketch-style.ts';
+import { Voice } from './voice.ts';
 import { WhyPanel } from './why-panel.ts';
 import { readable } from '../model/numbers.ts';
 
@@ -17,7 +18,6 @@ export const SKETCH_ATTRIBUTES = [
   ...['landmarks', 'witnesses', 'nu', 'step', 'extra', 'inserted', 'complex', 'show'],
 ] as const;
 
-const SPEAK_AFTER_MS = 500;
 let core: PlaneCore | undefined;
 let made = 0;
 
@@ -36,6 +36,7 @@ export class PlaneSketchElement extends HTMLElement {
   private readonly parts: SketchParts = createParts(`sketch-${++made}`);
   private readonly computation: Computation;
   private readonly panel: WhyPanel;
+  private readonly voice = new Voice(this.parts.spoken);
   private current: SketchState = states.stateFrom(() => null);
   private preset: SketchState | undefined;
   private past: SketchState[] = [];
@@ -46,7 +47,6 @@ export class PlaneSketchElement extends HTMLElement {
   private focused = false;
   private dragFrom: SketchState | undefined;
   private reflecting = false;
-  private speaking: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
     super();
@@ -168,14 +168,16 @@ export class PlaneSketchElement extends HTMLElement {
     const actions: BoardActions = {
       tool: () => this.tool,
       select: (name) => this.select(name),
-      step: (forward) => this.walk(forward),
+      step: (forward) => this.select(states.nextPoint(this.current, this.selected, forward)),
       nudge: (dx, dy) => this.nudge(dx, dy),
-      drag: (name, place) => this.drag(name, place),
+      drag: (place) => this.drag(place),
       drop: () => this.drop(),
       add: (kind, place) => this.add(kind, place),
       remove: () => this.removeSelected(),
       pick: (target) => this.pick(target),
-      pickSelected: () => this.selected?.kind === 'landmark' && this.pick(this.selected),
+      pickSelected: () => {
+        if (this.selected?.kind === 'landmark') this.pick(this.selected);
+      },
       undo: () => this.undo(),
       focus: (on) => {
         this.focused = on && parts.board.svg.matches(':focus-visible');
@@ -232,56 +234,45 @@ export class PlaneSketchElement extends HTMLElement {
     this.draw();
   }
 
-  private select(name: PointName | undefined): void {
+  /** Farthest first, a landmark is one of the witnesses. */
+  private own(name: PointName | undefined): PointName | undefined {
+    if (name?.kind !== 'landmark' || this.current.step === 0) return name;
+    const index = this.computed?.scale?.order[name.index];
+    return index === undefined ? undefined : { kind: 'witness', index };
+  }
+
+  private select(chosen: PointName | undefined): void {
+    const name = this.own(chosen);
     const left = this.selected && states.pointAt(this.current, this.selected);
     if (left) this.pen = left;
     this.selected = name;
-    if (name) this.say(this.selectedInWords());
+    if (name) this.voice.say('place', this.selectedInWords());
     this.parts.remove.disabled = !name;
     this.draw();
   }
 
   private selectedInWords(): string {
-    const place = this.selected && states.pointAt(this.current, this.selected);
-    if (!this.selected || !place) return `Cross at ${this.pen.x}, ${this.pen.y}`;
-    const { kind, index } = this.selected;
-    const name = kind === 'landmark' ? `Landmark ${landmarkName(index)}` : `Witness ${witnessName(index)}`;
-    const list = kind === 'witness' ? (this.computed?.picture.lists[index] ?? []).map(landmarkName) : [];
-    const nearest = list.length > 0 ? `; nearest landmarks ${list.join(', ')}` : '';
-    return `${name} at ${place.x}, ${place.y}${nearest}`;
-  }
-
-  /** Landmarks first, then witnesses. */
-  private walk(forward: boolean): void {
-    const { landmarks, witnesses, step } = this.current;
-    const names: PointName[] = [
-      ...(step > 0 ? [] : landmarks).map((_, index): PointName => ({ kind: 'landmark', index })),
-      ...witnesses.map((_, index): PointName => ({ kind: 'witness', index })),
-    ];
-    const at = names.findIndex(
-      ({ kind, index }) => kind === this.selected?.kind && index === this.selected.index,
-    );
-    const next =
-      at < 0 ? (forward ? 0 : names.length - 1) : (at + (forward ? 1 : -1) + names.length) % names.length;
-    this.select(names[next]);
+    const { selected, current, pen } = this;
+    const place = selected && states.pointAt(current, selected);
+    if (!selected || !place) return `Cross at ${pen.x}, ${pen.y}`;
+    return pointInWords(selected, place, this.computed?.picture.lists[selected.index]);
   }
 
   private nudge(dx: number, dy: number): void {
     const place = this.selected && states.pointAt(this.current, this.selected);
     if (!this.selected || !place) {
       this.pen = onBoard(this.pen.x + dx, this.pen.y + dy);
-      this.say(this.selectedInWords());
+      this.voice.say('place', this.selectedInWords());
       this.draw();
       return;
     }
     const next = states.moved(this.current, this.selected, onBoard(place.x + dx, place.y + dy));
     if (next) this.commit(next);
-    this.say(this.selectedInWords());
+    this.voice.say('place', this.selectedInWords());
   }
 
-  private drag(name: PointName, place: Point): void {
-    if (name.kind === 'landmark' && this.current.step > 0) return;
-    const next = states.moved(this.current, name, place);
+  private drag(place: Point): void {
+    const next = this.selected && states.moved(this.current, this.selected, place);
     if (!next) return;
     this.dragFrom ??= this.current;
     this.current = next;
@@ -298,12 +289,12 @@ export class PlaneSketchElement extends HTMLElement {
 
   private add(kind: PointKind, place = this.pen): void {
     if (kind === 'landmark' && this.current.step > 0) {
-      this.say('Landmarks are chosen farthest first here: take the next one instead.');
+      this.voice.say('place', 'Landmarks are chosen farthest first here: take the next one instead.');
       return;
     }
     const next = states.added(this.current, kind, place);
     if (!next) {
-      this.say(`There is no room for another ${kind} at ${place.x}, ${place.y}.`);
+      this.voice.say('place', `There is no room for another ${kind} at ${place.x}, ${place.y}.`);
       return;
     }
     this.commit(next);
@@ -311,7 +302,7 @@ export class PlaneSketchElement extends HTMLElement {
   }
 
   private removeSelected(): void {
-    if (!this.selected || (this.selected.kind === 'landmark' && this.current.step > 0)) return;
+    if (!this.selected) return;
     const next = states.removed(this.current, this.selected);
     this.select(undefined);
     this.commit(next);
@@ -366,7 +357,8 @@ export class PlaneSketchElement extends HTMLElement {
     this.computed = computed;
     parts.trouble.hidden = true;
     const said = summary(computed.picture);
-    if (parts.readout.textContent !== '' && said !== parts.readout.textContent) this.say(said);
+    if (parts.readout.textContent !== '' && said !== parts.readout.textContent)
+      this.voice.say('summary', said);
     parts.readout.textContent = said;
     const { step } = computed.state;
     const epsilon = computed.scale?.epsilon[Math.min(step, computed.scale.order.length) - 1];
@@ -383,12 +375,6 @@ export class PlaneSketchElement extends HTMLElement {
     this.toggleAttribute('data-busy', false);
     this.parts.trouble.textContent = error instanceof Error ? error.message : String(error);
     this.parts.trouble.hidden = false;
-  }
-
-  /** What was said last counts: who moves a point hears where it is in the end. */
-  private say(sentence: string): void {
-    clearTimeout(this.speaking);
-    this.speaking = setTimeout(() => (this.parts.spoken.textContent = sentence), SPEAK_AFTER_MS);
   }
 
   private draw(): void {

@@ -61,13 +61,19 @@ export function added(state: SketchState, kind: PointKind, place: Point): Sketch
   return withPoints(state, kind, [...points, place]);
 }
 
+const replaced = (points: readonly Point[], index: number, place: Point): Point[] =>
+  points.map((point, i) => (i === index ? place : point));
+
+/** A landmark that is a witness as well takes it along. */
 export function moved(state: SketchState, { kind, index }: PointName, place: Point): SketchState | undefined {
-  if (taken(state, kind, place, index)) return undefined;
-  return withPoints(
-    state,
-    kind,
-    pointsOf(state, kind).map((point, i) => (i === index ? place : point)),
-  );
+  const from = pointsOf(state, kind)[index];
+  if (!from || taken(state, kind, place, index)) return undefined;
+  const next = withPoints(state, kind, replaced(pointsOf(state, kind), index, place));
+  if (kind === 'witness') return next;
+  const own = state.witnesses.findIndex((witness) => samePlace(witness, from));
+  return own < 0 || taken(state, 'witness', place, own)
+    ? next
+    : { ...next, witnesses: replaced(state.witnesses, own, place) };
 }
 
 export function removed(state: SketchState, { kind, index }: PointName): SketchState {
@@ -78,12 +84,27 @@ export function removed(state: SketchState, { kind, index }: PointName): SketchS
   );
 }
 
+/** Landmarks first, then witnesses, around; farthest first, the landmarks are witnesses. */
+export function nextPoint(
+  { landmarks, witnesses, step }: SketchState,
+  from: PointName | undefined,
+  forward: boolean,
+): PointName | undefined {
+  const names: PointName[] = [
+    ...(step > 0 ? [] : landmarks).map((_, index): PointName => ({ kind: 'landmark', index })),
+    ...witnesses.map((_, index): PointName => ({ kind: 'witness', index })),
+  ];
+  const at = names.findIndex(({ kind, index }) => kind === from?.kind && index === from.index);
+  const next = at < 0 ? (forward ? 0 : -1) : at + (forward ? 1 : -1);
+  return names.at(next % Math.max(1, names.length));
+}
+
 /** The attributes that say a state: what a link holds, and what a teacher writes. */
 export function attributesOf(state: SketchState): Record<string, string | null> {
   return {
     landmarks: state.step > 0 ? null : formatPoints(state.landmarks),
     witnesses: formatPoints(state.witnesses),
-    nu: state.nu.join(),
+    nu: state.nu.join() === PLAIN_NU.join() ? null : state.nu.join(),
     step: state.step > 0 ? String(state.step) : null,
     inserted: state.withExtra ? '' : null,
   };

@@ -1,6 +1,8 @@
 import { counted } from '../model/numbers.ts';
 import { bettiInWords } from '../model/words.ts';
 import type { PlanePicture, Reason } from './plane.ts';
+import type { Point } from './points.ts';
+import type { PointName } from './sketch-state.ts';
 
 /** Names that are seen and heard: p1 is the first landmark, w1 the first witness. */
 export const landmarkName = (index: number): string => `p${index + 1}`;
@@ -22,6 +24,13 @@ export function simplexName(vertices: readonly number[]): string {
 function ordinal(rank: number): string {
   const ending = rank % 100 >= 11 && rank % 100 <= 13 ? 'th' : (['th', 'st', 'nd', 'rd'][rank % 10] ?? 'th');
   return `${rank}${ending}`;
+}
+
+/** A point, where it is and, of a witness, whom it has near. */
+export function pointInWords({ kind, index }: PointName, { x, y }: Point, list?: readonly number[]): string {
+  if (kind === 'landmark') return `Landmark ${landmarkName(index)} at ${x}, ${y}`;
+  const nearest = list && list.length > 0 ? `; nearest landmarks ${list.map(landmarkName).join(', ')}` : '';
+  return `Witness ${witnessName(index)} at ${x}, ${y}${nearest}`;
 }
 
 /** What stands under a board, and what is spoken when it changes. */
