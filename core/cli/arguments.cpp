@@ -270,8 +270,7 @@ Result<Arguments> parse_arguments(int count, const char* const* values) {
     app.set_version_flag("--version", std::string("plateau ") + PLATEAU_VERSION);
     app.require_subcommand(1);
     CLI::App* run_app = app.add_subcommand("run", "Insert the points one by one and report the plateaus");
-    CLI::App* inspect_app =
-        app.add_subcommand("inspect", "Say why a simplex is in the complex of a step, or why not");
+    CLI::App* inspect_app = app.add_subcommand("inspect", "Say why a simplex is in the complex of a step, or why not");
     CLI::App* sample_app = app.add_subcommand("sample", "Print points of a built-in shape");
     add_run(*run_app, run, raw);
     add_inspect(*inspect_app, inspect, inspect_raw);

@@ -154,9 +154,10 @@ private:
         return static_cast<std::uint32_t>(around.point(1).size());
     }
     bool has_simplex(const DelaunayCell& cell) const {
-        return width_ == std::count_if(cell.vertex.begin(), cell.vertex.end(), [&](std::uint32_t label) {
-                   return label != kInfiniteVertex && label <= width_;
-               });
+        const auto vertices = std::count_if(cell.vertex.begin(), cell.vertex.end(), [&](std::uint32_t label) {
+            return label != kInfiniteVertex && label <= width_;
+        });
+        return static_cast<std::uint32_t>(vertices) == width_;
     }
 
     const Surroundings* around_;
@@ -169,8 +170,7 @@ private:
 
 // The last of the nearest `count` others completes what keeps the simplex out. With it in from the start, so does
 // another one, sooner; and so on until nothing more is needed.
-Result<std::vector<Step>> blockers_among(std::size_t count, const Surroundings& around,
-                                         std::span<const Step> simplex) {
+Result<std::vector<Step>> blockers_among(std::size_t count, const Surroundings& around, std::span<const Step> simplex) {
     std::vector<Step> blockers;
     for (;;) {
         Star star(around, simplex);

@@ -83,9 +83,8 @@ public:
 private:
     bool is_vertex(Step landmark) const {
         const auto& hidden = timeline_->hidden;
-        return std::none_of(hidden.begin(), hidden.end(), [&](const HiddenLandmark& one) {
-            return one.landmark == landmark && one.from <= step_;
-        });
+        return std::none_of(hidden.begin(), hidden.end(),
+                            [&](const HiddenLandmark& one) { return one.landmark == landmark && one.from <= step_; });
     }
     static void look(const LandmarkRanks& ranks, Inspection& inspection) {
         inspection.horizon = ranks.horizon();
@@ -116,12 +115,11 @@ private:
 
 }  // namespace
 
-Result<Inspection> inspect_run(const RunBasis& basis, const Timeline& timeline, Step step,
-                               std::vector<Step> vertices) {
+Result<Inspection> inspect_run(const RunBasis& basis, const Timeline& timeline, Step step, std::vector<Step> vertices) {
     if (step < 1 || step > timeline.step_count) {
-        return Error{ErrorCode::InvalidOption,
-                     "Step " + std::to_string(step) + " is not computed: there are steps 1 to " +
-                         grouped(timeline.step_count) + "."};
+        return Error{ErrorCode::InvalidOption, "Step " + std::to_string(step) +
+                                                   " is not computed: there are steps 1 to " +
+                                                   grouped(timeline.step_count) + "."};
     }
     const ShownComplex complex(basis, timeline, step);
     auto found = inspected(complex, std::move(vertices));

@@ -23,7 +23,7 @@ enum class Verdict : std::uint8_t {
 
 /// The answer to "why is this simplex in the complex, why is that one not?" at one step.
 struct Inspection {
-    Step step = 0;  ///< 0: of a complex without steps
+    Step step = 0;              ///< 0: of a complex without steps
     std::vector<Step> simplex;  ///< vertices asked for, ascending
     Verdict verdict = Verdict::Present;
     /// What the verdict is about: the simplex itself, or where a proper face is missing a smallest missing one, the
@@ -38,8 +38,8 @@ struct Inspection {
     std::uint32_t horizon = 0;
     bool is_dilated = false;  ///< instead a witness may be as far as `zeta`, input units, from the cell of `about`
     double zeta = 0;
-    Sightings sightings;        ///< of `about`
-    DelaunayPlace delaunay;     ///< verdict NotDelaunay: what keeps `about` out
+    Sightings sightings;                             ///< of `about`
+    DelaunayPlace delaunay;                          ///< verdict NotDelaunay: what keeps `about` out
     SurfacePlace surface = SurfacePlace::NoSurface;  ///< verdict Present
 };
 

@@ -22,8 +22,8 @@ TreeRanks::Farthest TreeRanks::farthest(std::uint32_t witness, std::span<const S
     Farthest farthest;
     for (const Step vertex : simplex) {
         const double squared = distance_squared(landmarks_->point(vertex - 1), witnesses_->point(witness));
-        const bool is_farther = squared > farthest.distance_squared ||
-                                (squared == farthest.distance_squared && vertex > farthest.landmark);
+        const bool is_farther =
+            squared > farthest.distance_squared || (squared == farthest.distance_squared && vertex > farthest.landmark);
         if (is_farther) farthest = {squared, vertex};
     }
     return farthest;
@@ -65,8 +65,7 @@ std::uint32_t TreeRanks::rank(std::uint32_t witness, Step landmark, std::uint32_
     return rank(witness, farthest(witness, {&landmark, 1}), limit);
 }
 
-std::uint32_t TreeRanks::largest_rank(std::uint32_t witness, std::span<const Step> simplex,
-                                      std::uint32_t limit) const {
+std::uint32_t TreeRanks::largest_rank(std::uint32_t witness, std::span<const Step> simplex, std::uint32_t limit) const {
     return rank(witness, farthest(witness, simplex), limit);
 }
 
@@ -88,8 +87,7 @@ std::uint32_t ListRanks::rank(std::uint32_t witness, Step landmark, std::uint32_
     return limit + 1;
 }
 
-std::uint32_t ListRanks::largest_rank(std::uint32_t witness, std::span<const Step> simplex,
-                                      std::uint32_t limit) const {
+std::uint32_t ListRanks::largest_rank(std::uint32_t witness, std::span<const Step> simplex, std::uint32_t limit) const {
     std::uint32_t largest = 0;
     for (const Step vertex : simplex) largest = std::max(largest, rank(witness, vertex, limit));
     return largest;

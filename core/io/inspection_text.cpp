@@ -39,15 +39,24 @@ std::string capitalized(std::string text) {
     return text;
 }
 
+std::string point(const Sighting& sighting) {
+    return "point " + grouped(sighting.witness);
+}
+
+std::string away(const Sighting& sighting) {
+    return short_number(sighting.distance) + " away";
+}
+
 /// "both of them", what a witness must have near
 std::string all_of(std::size_t vertices) {
     if (vertices == 1) return "it";
     return vertices == 2 ? "both of them" : "all " + std::to_string(vertices) + " of them";
 }
 
-std::string first_landmarks(std::uint32_t count) {
+std::string first_landmarks(std::uint32_t count, bool of_one = true) {
     if (count == 0) return "among no landmarks, as nu asks";
-    return count == 1 ? "as its nearest landmark" : "among its " + grouped(count) + " nearest landmarks";
+    const std::string whose = of_one ? "its " : "their ";
+    return count == 1 ? "as " + whose + "nearest landmark" : "among " + whose + grouped(count) + " nearest landmarks";
 }
 
 std::string lifespan(const Inspection& inspection) {
@@ -86,14 +95,21 @@ std::string at_step(const Inspection& inspection) {
 std::string present(const Inspection& inspection) {
     const Sightings& seen = inspection.sightings;
     std::string text = capitalized(named(inspection.simplex)) + " is in the complex" + at_step(inspection) + ". ";
-    const std::string who = seen.witness_count == 1 ? "One witness has " : grouped(seen.witness_count) + " witnesses have ";
+    const bool is_one = seen.witness_count == 1;
+    text += grouped(seen.witness_count);
     if (inspection.is_dilated) {
-        text += grouped(seen.witness_count) + (seen.witness_count == 1 ? " witness is" : " witnesses are") +
-                " within zeta = " + short_number(inspection.zeta) + " of its cell";
-        if (seen.best) text += ", the nearest is point " + grouped(seen.best->witness) + ", " + short_number(seen.best->distance) + " away";
+        text += (is_one ? " witness is" : " witnesses are") + (" within zeta = " + short_number(inspection.zeta)) +
+                " of its cell";
+        if (seen.best && !is_one) text += ", the nearest is " + point(*seen.best) + ", " + away(*seen.best);
+        if (seen.best && is_one) text += ", " + point(*seen.best) + ", " + away(*seen.best);
     } else {
-        text += who + all_of(inspection.simplex.size()) + " " + first_landmarks(inspection.allowed);
-        if (seen.best) text += ", the best is point " + grouped(seen.best->witness) + " with the last at rank " + grouped(seen.best->rank);
+        text += (is_one ? " witness has " : " witnesses have ") + all_of(inspection.simplex.size()) + " " +
+                first_landmarks(inspection.allowed, is_one);
+        if (seen.best && is_one) text += ", " + point(*seen.best);
+        if (seen.best && !is_one) text += ", the best is " + point(*seen.best);
+        if (seen.best && inspection.simplex.size() > 1) {
+            text += ", for which the last of them is number " + grouped(seen.best->rank);
+        }
     }
     return text + "." + lifespan(inspection) + std::string(on_surface(inspection.surface));
 }
@@ -104,9 +120,11 @@ std::string not_delaunay(const Inspection& inspection) {
     std::string text = "is not in the Delaunay triangulation: ";
     if (place.is_flat) return text + "its landmarks lie in " + (vertices == 3 ? "a line." : "a plane.");
     if (place.blockers.size() == 1) {
-        return text + "every ball with its landmarks on the boundary has landmark " + grouped(place.blockers.front()) + " inside.";
+        return text + "every ball with its landmarks on the boundary has landmark " + grouped(place.blockers.front()) +
+               " inside.";
     }
-    return text + "every ball with its landmarks on the boundary has one of the landmarks " + listed(place.blockers) + " inside.";
+    return text + "every ball with its landmarks on the boundary has one of the landmarks " + listed(place.blockers) +
+           " inside.";
 }
 
 std::string not_witnessed(const Inspection& inspection) {
@@ -115,12 +133,12 @@ std::string not_witnessed(const Inspection& inspection) {
     if (inspection.is_dilated) {
         std::string text = "has no witness within zeta = " + short_number(inspection.zeta) + " of its cell";
         if (!best) return text + ": the cell is empty.";
-        return text + ": the nearest, point " + grouped(best->witness) + ", is " + short_number(best->distance) + " away.";
+        return text + ": the nearest, " + point(*best) + ", is " + away(*best) + ".";
     }
     std::string text = "has no witness: none has " + all_of(vertices) + " " + first_landmarks(inspection.allowed);
     if (!best) return text + ", nor among its " + grouped(inspection.horizon) + " nearest.";
-    return text + ". The closest miss is point " + grouped(best->witness) + ", which has " +
-           (vertices == 1 ? "it" : "the last of them") + " at rank " + grouped(best->rank) + ".";
+    return text + ". The closest miss is " + point(*best) + ", for which " +
+           (vertices == 1 ? "it" : "the last of them") + " is number " + grouped(best->rank) + ".";
 }
 
 }  // namespace
@@ -130,7 +148,8 @@ std::string inspection_text(const Inspection& inspection) {
     if (inspection.verdict == Verdict::Present) return present(inspection);
     std::string text = capitalized(named(inspection.simplex)) + " is not in the complex" + at_step(inspection) + ". ";
     const bool is_itself = inspection.about == inspection.simplex;
-    const std::string subject = is_itself ? "It " : "Its " + std::string(shape(about.size())) + " of " + landmarks(about) + " ";
+    const std::string subject =
+        is_itself ? "It " : "Its " + std::string(shape(about.size())) + " of " + landmarks(about) + " ";
     switch (inspection.verdict) {
         case Verdict::NotInserted:
             text += capitalized(landmarks(about)) + (about.size() == 1 ? " comes later." : " come later.");

@@ -15,7 +15,7 @@ struct PlaneBox {
 
 /// Convex polygons one after the other, corners counter-clockwise; a cell that has nothing in the box has none.
 struct PlanePolygons {
-    std::vector<double> corners;               ///< x, y of each
+    std::vector<double> corners;                 ///< x, y of each
     std::vector<std::uint32_t> first_corner{0};  ///< of each polygon, and one more: the number of corners
 };
 

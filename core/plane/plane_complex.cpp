@@ -140,7 +140,8 @@ std::optional<Error> PlaneComplex::insert_landmarks() {
 void PlaneComplex::keep_witnessed(const std::vector<SimplexTable>& tables) {
     std::vector<bool> is_vertex(landmark_count() + std::size_t{1}, false);
     for (std::size_t first = 0; first < lists_.size(); first += list_length_) {
-        for (std::uint32_t rank = 0; rank < std::min(nu(0), list_length_); ++rank) is_vertex[lists_[first + rank]] = true;
+        for (std::uint32_t rank = 0; rank < std::min(nu(0), list_length_); ++rank)
+            is_vertex[lists_[first + rank]] = true;
     }
     for (Step landmark = 1; landmark <= landmark_count(); ++landmark) {
         if (is_vertex[landmark]) vertices_.push_back(landmark);
@@ -172,9 +173,8 @@ std::array<std::uint32_t, 2> PlaneComplex::betti() const {
     boundaries.reset(static_cast<std::uint32_t>(edges_.size()));
     for (const auto& [a, b, c] : triangles_) {
         // In lexicographic order, as the edges are.
-        boundaries.insert({{place_of(edges_, Edge{a, b}), 1},
-                           {place_of(edges_, Edge{a, c}), 1},
-                           {place_of(edges_, Edge{b, c}), 1}});
+        boundaries.insert(
+            {{place_of(edges_, Edge{a, b}), 1}, {place_of(edges_, Edge{a, c}), 1}, {place_of(edges_, Edge{b, c}), 1}});
     }
     const auto vertices = static_cast<std::uint32_t>(vertices_.size());
     const auto edges = static_cast<std::uint32_t>(edges_.size());

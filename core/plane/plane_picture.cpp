@@ -35,8 +35,7 @@ WitnessLists witnesses_of(const PlaneComplex& complex, const std::vector<Simplex
         for (std::size_t i = 1; i < tuple.size(); ++i) {
             rest.clear();
             const auto& others = seen_by[tuple[i]];
-            std::set_intersection(common.begin(), common.end(), others.begin(), others.end(),
-                                  std::back_inserter(rest));
+            std::set_intersection(common.begin(), common.end(), others.begin(), others.end(), std::back_inserter(rest));
             common.swap(rest);
         }
         found.witnesses.insert(found.witnesses.end(), common.begin(), common.end());
@@ -52,8 +51,9 @@ Result<PlanePicture> plane_picture(const PlaneScene& scene, const PlaneBox& box)
                         std::abs(box.right) <= kMaxCoordinate && std::abs(box.bottom) <= kMaxCoordinate &&
                         std::abs(box.top) <= kMaxCoordinate;
     if (!is_box) {
-        return Error{ErrorCode::InvalidOption, "The box must have a left side before its right one, and a bottom "
-                                               "below its top."};
+        return Error{ErrorCode::InvalidOption,
+                     "The box must have a left side before its right one, and a bottom "
+                     "below its top."};
     }
     const auto made = PlaneComplex::of(scene);
     if (!made) return made.error();

@@ -12,8 +12,8 @@ namespace plateau {
 
 /// The witnesses of simplices, one simplex after the other.
 struct WitnessLists {
-    std::vector<std::uint32_t> witnesses;   ///< rows of the scene, ascending for each simplex
-    std::vector<std::uint32_t> first{0};    ///< of each simplex, and one more: the number of entries
+    std::vector<std::uint32_t> witnesses;  ///< rows of the scene, ascending for each simplex
+    std::vector<std::uint32_t> first{0};   ///< of each simplex, and one more: the number of entries
 };
 
 /// All that is drawn of a scene; see PlaneComplex and plane_cells.h.

@@ -102,8 +102,9 @@ std::string inspection_difference(const DefinedComplex& expected, Simplex asked,
     std::sort(asked.begin(), asked.end());
     if (as_simplex(found.simplex) != asked) return "another simplex";
     const auto tell = [&](const std::string& what) {
-        return what.empty() ? "" : joined(asked) + ", verdict " + std::to_string(static_cast<int>(found.verdict)) +
-                                       " about " + joined(found.about) + ": " + what;
+        return what.empty() ? ""
+                            : joined(asked) + ", verdict " + std::to_string(static_cast<int>(found.verdict)) +
+                                  " about " + joined(found.about) + ": " + what;
     };
     Simplex later;
     for (const int vertex : asked) {

@@ -203,6 +203,24 @@ DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& set
     return state;
 }
 
+std::vector<double> distances_to_cell(const PointCloud& cloud, const DilatedSettings& settings, const Simplex& simplex,
+                                      double limit) {
+    const auto coordinates = [&](std::uint32_t index) {
+        const auto point = cloud.point(index);
+        return std::vector<double>(point.begin(), point.end());
+    };
+    std::vector<std::vector<double>> sites;
+    for (const int landmark : settings.landmarks) sites.push_back(coordinates(static_cast<std::uint32_t>(landmark)));
+    std::vector<int> places;
+    for (const int vertex : simplex) places.push_back(vertex - 1);
+    std::vector<double> distances;
+    for (std::uint32_t witness = 0; witness < cloud.size(); ++witness) {
+        const auto seen = seen_from(coordinates(witness), sites, settings.weights_squared);
+        distances.push_back(static_cast<double>(cell_distance(seen, places, static_cast<Real>(limit))));
+    }
+    return distances;
+}
+
 double sliver_measure(const PointCloud& cloud, const std::vector<int>& landmarks, const Simplex& simplex,
                       bool normalized) {
     const std::size_t k = simplex.size() - 1;

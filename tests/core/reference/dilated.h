@@ -25,6 +25,11 @@ struct DilatedState {
 /// apart.
 DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& settings);
 
+/// The distance of every witness, by input index, to the cell of a simplex; infinity where it is more than `limit` or
+/// the cell is empty. zeta and doubt do not matter.
+std::vector<double> distances_to_cell(const PointCloud& cloud, const DilatedSettings& settings, const Simplex& simplex,
+                                      double limit);
+
 /// Volume by the shortest edge to the power k of a simplex of dimension k, from the Gram determinant; the k-th root of
 /// k! times it if `normalized`. 1 for vertices and edges.
 double sliver_measure(const PointCloud& cloud, const std::vector<int>& landmarks, const Simplex& simplex,

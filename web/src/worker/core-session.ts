@@ -28,11 +28,7 @@ export function planePicture(module: PlateauModule, view: PlaneView): PlanePictu
 }
 
 /** `vertices`: places in the array of landmarks. */
-export function planeWhy(
-  module: PlateauModule,
-  scene: PlaneScene,
-  vertices: readonly number[],
-): Inspection {
+export function planeWhy(module: PlateauModule, scene: PlaneScene, vertices: readonly number[]): Inspection {
   return unwrapped(module.planeWhy(scene, vertices)).inspection;
 }
 
