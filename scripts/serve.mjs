@@ -64,7 +64,17 @@ const shared = {
   'Cross-Origin-Resource-Policy': 'cross-origin',
 };
 
-const headersFor = (folder, file) => (relative(folder, file).startsWith(`embed${sep}`) ? shared : headers);
+/** The course: its worker is of the page's own origin, and every page may show it in a frame. */
+const framed = {
+  ...headers,
+  'Content-Security-Policy': contentSecurityPolicy.replace("frame-ancestors 'self'", 'frame-ancestors *'),
+};
+
+function headersFor(folder, file) {
+  const path = relative(folder, file);
+  if (path.startsWith(`embed${sep}`)) return shared;
+  return path.startsWith(`course${sep}`) ? framed : headers;
+}
 
 /** The file that the address names, or undefined: nothing outside the folder, also not through a link. */
 async function fileFor(folder, url) {

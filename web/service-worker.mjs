@@ -31,9 +31,14 @@ self.addEventListener('fetch', (event) => {
   event.respondWith(hashed ? keptFirst(request) : networkFirst(request));
 });
 
-function kept(request) {
-  const asked = request.mode === 'navigate' ? './index.html' : request;
-  return caches.open(cacheName).then((cache) => cache.match(asked, { ignoreSearch: true }));
+/** A page by its address, a folder by its index.html; any other address shows the page that Plateau is. */
+async function kept(request) {
+  const cache = await caches.open(cacheName);
+  const match = (asked) => cache.match(asked, { ignoreSearch: true });
+  if (request.mode !== 'navigate') return match(request);
+  const address = new URL(request.url);
+  if (address.pathname.endsWith('/')) address.pathname += 'index.html';
+  return (await match(address)) ?? match('./index.html');
 }
 
 async function keptFirst(request) {

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
+import { COURSE_PAGES, coursePage } from './course/pages.ts';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 
@@ -16,11 +17,28 @@ const parts: Plugin = {
   },
 };
 
+/** The frame and the formulas of the course. */
+const course: Plugin = {
+  name: 'course',
+  transformIndexHtml: {
+    order: 'pre',
+    handler: (html, { path }) => {
+      const file = /^\/course\/([a-z-]+)\.html$/.exec(path)?.[1];
+      return file === undefined ? html : coursePage(html, file);
+    },
+  },
+};
+
+const pages = [
+  'index',
+  ...['index', 'sketch', ...COURSE_PAGES.map(({ file }) => file)].map((file) => `course/${file}`),
+];
+
 export default defineConfig({
   root,
   // Relative addresses: the built page works from any folder of any server.
   base: './',
-  plugins: [parts],
+  plugins: [parts, course],
   resolve: {
     alias: [
       { find: /^plateau-module$/, replacement: `${root}../build/wasm/bin/plateau.mjs` },
@@ -37,5 +55,6 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 900,
+    rolldownOptions: { input: pages.map((page) => `${root}${page}.html`) },
   },
 });

@@ -3,7 +3,7 @@ import type { PlateauError } from '../client/plateau-error.ts';
 import { demandBrowser } from '../package/browser-floor.ts';
 
 /** A worker of the page's own origin; where the browser is too old for it, a sentence. */
-function startWorker(): Worker {
+export function startWorker(): Worker {
   demandBrowser('core');
   return new Worker(new URL('../worker/main.ts', import.meta.url), { type: 'module' });
 }

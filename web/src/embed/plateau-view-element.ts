@@ -1,20 +1,17 @@
 import type { RemoteRun } from '../client/plateau-client.ts';
 import { codeOf, PlateauError, type ErrorCode } from '../client/plateau-error.ts';
 import { demandBrowser } from '../package/browser-floor.ts';
-import { startPackagedWorker } from '../package/packaged-worker.ts';
-import { SharedClient, type ClientShare } from '../package/shared-client.ts';
+import type { ClientShare } from '../package/shared-client.ts';
 import { cloudOf, nameOf, optionsFor, type Given, type Opening } from './element-cloud.ts';
 import { plateauDetail, type PlateauDetail, type PlateauViewEventMap } from './events.ts';
 import { createParts, type Parts } from './parts.ts';
 import { ReflectingElement } from './reflecting-element.ts';
 import { ATTRIBUTES, settingsOf, type Settings } from './settings.ts';
+import { sharedWorker } from './shared-worker.ts';
 import { elementStyle } from './style.ts';
 import { Viewer, type Destination } from './viewer.ts';
 
 const EMPTY = 'Nothing to show yet: this element needs a shape or a src.';
-
-/** One worker for all elements of the page. */
-const shared = new SharedClient(startPackagedWorker);
 
 /** Whoever called `load` and waits. */
 interface Waiting {
@@ -269,7 +266,7 @@ export class PlateauViewElement extends ReflectingElement {
     viewer.makeWay();
     try {
       // Whoever has all that was to come loses nothing with the worker.
-      this.share ??= shared.share((error) => {
+      this.share ??= sharedWorker().share((error) => {
         if (!viewer.record?.ended) this.fail(error);
       });
       const { client } = this.share;

@@ -3,7 +3,10 @@
  *
  * @module plateau/element
  */
+import { startPackagedWorker } from '../package/packaged-worker.ts';
+import { SharedClient } from '../package/shared-client.ts';
 import { PlateauViewElement } from './plateau-view-element.ts';
+import { shareWorker } from './shared-worker.ts';
 
 export { PlateauError, type ErrorCode } from '../client/plateau-error.ts';
 export type { Torsion } from '../model/record.ts';
@@ -13,4 +16,7 @@ export type { Panels, Theme } from './settings.ts';
 export { PlateauViewElement };
 
 // A page may name this program twice, by two addresses.
-if (!customElements.get('plateau-view')) customElements.define('plateau-view', PlateauViewElement);
+if (!customElements.get('plateau-view')) {
+  shareWorker(new SharedClient(startPackagedWorker));
+  customElements.define('plateau-view', PlateauViewElement);
+}

@@ -66,6 +66,14 @@ export class ReflectingElement extends HTMLElement {
     this.write('nu', list);
   }
 
+  /** How many landmarks the run takes at most; all points unless given. */
+  get steps(): number | undefined {
+    return this.number('steps');
+  }
+  set steps(count: number | undefined) {
+    this.write('steps', count);
+  }
+
   /** The step that is shown, as soon as it is computed; with `autoplay` the film begins there. */
   get step(): number | undefined {
     return this.number('step');

@@ -41,6 +41,7 @@ export const ATTRIBUTES = [
   'columns',
   'family',
   'nu',
+  'steps',
   'step',
   'plateau',
   'autoplay',
@@ -126,13 +127,14 @@ export function settingsOf(element: Element): Settings {
   const source = sourceIn(reader);
   const family = reader.text('family');
   const nu = reader.list('nu', 0);
+  const maxSteps = reader.number('steps', 1, true);
   const step = reader.number('step', 1, true);
   const plateau = reader.number('plateau', 1, true);
   const panels = reader.choice('panels', PANELS) ?? DEFAULT_PANELS;
   reader.choice('theme', THEMES);
   return {
     source,
-    options: { ...(family !== undefined && named(family) ? { family } : {}), ...present({ nu }) },
+    options: { ...(family !== undefined && named(family) ? { family } : {}), ...present({ nu, maxSteps }) },
     step,
     plateau,
     autoplay: element.hasAttribute('autoplay'),

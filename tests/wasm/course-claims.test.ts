@@ -1,0 +1,192 @@
+// What the course says in numbers is computed here, from the figures as the pages have them.
+import { readFileSync, readdirSync } from 'node:fs';
+import { beforeAll, describe, expect, test } from 'vitest';
+import { COURSE_PAGES, coursePage } from '../../web/course/pages.ts';
+import { PlateauClient, type RemoteRun } from '../../web/src/client/plateau-client.ts';
+import { shownFamilyName } from '../../web/src/model/record.ts';
+import { InProcessWorker } from '../../web/src/package/in-process.ts';
+import { ClientPlaneCore } from '../../web/src/sketch/client-plane-core.ts';
+import { questionOf } from '../../web/src/sketch/computation.ts';
+import type { FarthestOrder, PlanePicture } from '../../web/src/sketch/plane.ts';
+import { parsePoints } from '../../web/src/sketch/points.ts';
+import { stateFrom } from '../../web/src/sketch/sketch-state.ts';
+import type { Delta, Family, RunOptions } from '../../web/src/worker/protocol.ts';
+
+const folder = new URL('../../web/course/', import.meta.url);
+const files = readdirSync(folder).filter((name) => name.endsWith('.html'));
+const pages = new Map(files.map((name) => [name, readFileSync(new URL(name, folder), 'utf8')]));
+const everything = [...pages.values()].join('\n');
+
+interface Claim {
+  readonly about: string;
+  readonly value: string;
+  readonly text: string;
+}
+
+const claims: Claim[] = [
+  ...everything.matchAll(/<data\s+value="([^"]*)"\s+data-claim="([^"]*)"\s*>([^<]*)<\/data\s*>/g),
+].map(([, value = '', about = '', text = '']) => ({ about, value, text: text.trim() }));
+
+const WORDS = [
+  'no',
+  'one',
+  'two',
+  'three',
+  'four',
+  'five',
+  'six',
+  'seven',
+  'eight',
+  'nine',
+  'ten',
+  'eleven',
+  'twelve',
+];
+
+/** The attributes of a figure as the page has them. */
+function attributesOf(id: string): (name: string) => string | null {
+  const tag = [...everything.matchAll(/<(?:plane-sketch|plateau-view)\s[^>]*>/g)]
+    .map(([text]) => text)
+    .find((text) => text.includes(`id="${id}"`));
+  if (tag === undefined) throw new Error(`There is no figure ${id}.`);
+  return (name) => new RegExp(`\\s${name}="([^"]*)"`).exec(tag)?.[1] ?? null;
+}
+
+class Calculator extends ClientPlaneCore {
+  private readonly pictures = new Map<string, Promise<{ picture: PlanePicture; scale?: FarthestOrder }>>();
+
+  sketch(id: string): Promise<{ picture: PlanePicture; scale?: FarthestOrder }> {
+    let known = this.pictures.get(id);
+    if (!known) this.pictures.set(id, (known = this.draw(id)));
+    return known;
+  }
+
+  private async draw(id: string): Promise<{ picture: PlanePicture; scale?: FarthestOrder }> {
+    const read = attributesOf(id);
+    const state = stateFrom(read);
+    const scale = state.step > 0 ? await this.farthest(state.witnesses) : undefined;
+    const extra = parsePoints(read('extra') ?? '')[0];
+    const question = questionOf(state, { extra, delaunay: read('complex') !== 'whole' }, scale);
+    return { picture: await this.picture(question), ...(scale ? { scale } : {}) };
+  }
+
+  /** The run of a view, with other options if there are any. */
+  async run(id: string, other: RunOptions = {}): Promise<{ run: RemoteRun; deltas: Delta[] }> {
+    const read = attributesOf(id);
+    const nu = read('nu')?.split(',').map(Number);
+    const steps = read('steps');
+    const options: RunOptions = {
+      ...(read('family') === null ? {} : { family: read('family') as Family }),
+      ...(nu ? { nu } : {}),
+      ...(steps === null ? {} : { maxSteps: Number(steps) }),
+      ...other,
+    };
+    const source = { kind: 'sample', shape: read('shape') ?? '', size: Number(read('size')) } as const;
+    const run = await this.client.open(source, options);
+    const deltas: Delta[] = [];
+    do {
+      deltas.push(await run.fetchDelta());
+      await new Promise((resolve) => setTimeout(resolve, 1));
+    } while (deltas.at(-1)?.state !== 'finished');
+    return { run, deltas };
+  }
+
+  /** Betti numbers of a view at the step that it shows. */
+  async bettiAtStep(id: string, other: RunOptions): Promise<number[]> {
+    const step = Number(attributesOf(id)('step'));
+    const { run, deltas } = await this.run(id, { ...other, maxSteps: step });
+    const { bettiCount } = run.opened;
+    await run.close();
+    return deltas.flatMap(({ betti }) => [...betti]).slice((step - 1) * bettiCount, step * bettiCount);
+  }
+
+  /** Betti numbers of the longest plateau of a kind; any kind unless named. */
+  async longest(id: string, family?: string): Promise<string> {
+    const { run } = await this.run(id);
+    const plateaus = await run.fetchPlateaus();
+    const { bettiCount } = run.opened;
+    await run.close();
+    const best = [...plateaus.ranked].find(
+      (i) => family === undefined || shownFamilyName(plateaus.family[i] ?? 0) === family,
+    );
+    if (best === undefined) return 'none';
+    return [...plateaus.betti.subarray(best * bettiCount, (best + 1) * bettiCount)].join();
+  }
+}
+
+type Compute = (core: Calculator, id: string, rest: readonly string[]) => Promise<number | string>;
+const ofPicture =
+  (read: (picture: PlanePicture) => number | undefined): Compute =>
+  async (core, id) =>
+    read((await core.sketch(id)).picture) ?? NaN;
+
+const PLAIN: RunOptions = { family: 'delaunay', nu: [1, 2, 3, 4] };
+const RELAXED: RunOptions = { family: 'delaunay', nu: [1, 6, 6, 4] };
+/** By the second word of a claim; the first names the figure. */
+const COMPUTED: Readonly<Record<string, Compute>> = {
+  landmarks: ofPicture(({ question }) => question.landmarks.length),
+  witnesses: ofPicture(({ question }) => question.witnesses.length),
+  edges: ofPicture(({ edges }) => edges.length),
+  triangles: ofPicture(({ triangles }) => triangles.length),
+  components: ofPicture(({ betti }) => betti[0]),
+  loops: ofPicture(({ betti }) => betti[1]),
+  'delaunay-edges': ofPicture(({ delaunayEdges }) => delaunayEdges.length),
+  'delaunay-triangles': ofPicture(({ delaunayTriangles }) => delaunayTriangles.length),
+  step: (_, id) => Promise.resolve(Number(attributesOf(id)('step'))),
+  epsilon: async (core, id, [step = '1']) =>
+    Number(((await core.sketch(id)).scale?.epsilon[Number(step) - 1] ?? NaN).toPrecision(3)),
+  'plain-loops': async (core, id) => (await core.bettiAtStep(id, PLAIN))[1] ?? NaN,
+  'relaxed-voids': async (core, id) => (await core.bettiAtStep(id, RELAXED))[2] ?? NaN,
+  'longest-surface': (core, id) => core.longest(id, 'surface'),
+  'longest-complex': (core, id) => core.longest(id, 'delaunay'),
+  longest: (core, id) => core.longest(id),
+};
+
+let core: Calculator;
+beforeAll(() => {
+  const wasm = readFileSync(new URL('../../build/wasm/bin/plateau.wasm', import.meta.url));
+  core = new Calculator(new PlateauClient({ spawn: () => new InProcessWorker(wasm, setImmediate) }));
+});
+
+describe('what the course says', () => {
+  test('is found: all that is marked is read', () => {
+    expect(claims.length).toBe(everything.split('data-claim').length - 1);
+    expect(claims.length).toBeGreaterThan(15);
+  });
+
+  test.each(claims)('$about: $value', async ({ about, value, text }) => {
+    const [id = '', what = '', ...rest] = about.split(' ');
+    const compute = COMPUTED[what];
+    if (!compute) throw new Error(`Nothing computes "${what}".`);
+    expect(String(await compute(core, id, rest))).toBe(value);
+    const number = Number(value);
+    const spoken = Number.isInteger(number) ? (WORDS[number] ?? value) : value;
+    expect([value, spoken, value.replaceAll(',', ', ')]).toContain(text);
+  });
+
+  test('every task names a figure of its page', () => {
+    for (const [name, html] of pages) {
+      for (const [, figure = ''] of html.matchAll(/data-figure="([^"]*)"/g))
+        expect(html, `${name}: ${figure}`).toMatch(
+          new RegExp(`<(plane-sketch|plateau-view)[^>]*\\sid="${figure}"`),
+        );
+    }
+  });
+});
+
+describe('the pages', () => {
+  test('are whole: each of the list has its file, two tasks, a figure, and no comment is left', () => {
+    for (const { file, title } of COURSE_PAGES) {
+      const html = coursePage(pages.get(`${file}.html`) ?? '', file);
+      expect(html).toContain(`${title}</h1>`);
+      expect(html.match(/class="task"/g)?.length ?? 0, file).toBeGreaterThanOrEqual(2);
+      expect(html).toMatch(/<plane-sketch|<plateau-view/);
+      expect(html).not.toContain('<!--');
+      expect(html).toMatch(/aria-current="page"/);
+    }
+  });
+
+  test('an unknown formula is a fault of the build', () => {
+    expect(() => coursePage('<title>x</title><!-- math: nothing -->', 'x')).toThrow(/no formula "nothing"/);
+  });
+});

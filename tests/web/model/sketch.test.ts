@@ -1,0 +1,221 @@
+import { describe, expect, test, vi } from 'vitest';
+import { formatPoints, onBoard, parsePoints } from '../../../web/src/sketch/points.ts';
+import { Computation, questionOf, type Computed } from '../../../web/src/sketch/computation.ts';
+import type { PlaneCore, PlanePicture, PlaneQuestion } from '../../../web/src/sketch/plane.ts';
+import { reasonInWords, summary } from '../../../web/src/sketch/sketch-words.ts';
+import * as states from '../../../web/src/sketch/sketch-state.ts';
+import type { SketchState } from '../../../web/src/sketch/sketch-state.ts';
+import { numberIn, numbersIn, same } from '../../../web/src/course/marking.ts';
+
+function stateOf(attributes: Readonly<Record<string, string>>): SketchState {
+  return states.stateFrom((name) => attributes[name] ?? null);
+}
+
+function pictureOf(question: PlaneQuestion): PlanePicture {
+  const nothing = { delaunayEdges: [], delaunayTriangles: [], lists: [], vertices: [], edges: [] };
+  return { question, ...nothing, triangles: [], cells: [], pairCells: [], betti: [1, 0] };
+}
+
+/** Answers when the test lets it. */
+class SlowCore implements PlaneCore {
+  readonly asked: PlaneQuestion[] = [];
+  readonly waiting: (() => void)[] = [];
+  scales = 0;
+
+  async picture(question: PlaneQuestion): Promise<PlanePicture> {
+    this.asked.push(question);
+    await new Promise<void>((resolve) => this.waiting.push(resolve));
+    return pictureOf(question);
+  }
+  why(): Promise<never> {
+    return Promise.reject(new Error('not asked here'));
+  }
+  farthest(): ReturnType<PlaneCore['farthest']> {
+    this.scales += 1;
+    return Promise.resolve({ order: [2, 0, 1], epsilon: [5, 3, 0] });
+  }
+}
+
+const unexpected = (error: unknown): never => {
+  throw error;
+};
+const moment = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
+
+describe('points of a board', () => {
+  test('are read as they are written, with any separator that an address allows', () => {
+    const text = '20,30 45,12 0,80';
+    expect(formatPoints(parsePoints(text))).toBe(text);
+    expect(parsePoints('20,30_45,12;0,80')).toEqual(parsePoints(text));
+    expect(parsePoints('  ')).toEqual([]);
+  });
+
+  test('stay on the board', () => {
+    expect(onBoard(-3, 81)).toEqual({ x: 0, y: 80 });
+    expect(onBoard(120.6, 12.4)).toEqual({ x: 120, y: 12 });
+    expect(parsePoints('500,7.6')).toEqual([{ x: 120, y: 8 }]);
+  });
+
+  test.each(['20', '20,', '20,30,40', 'a,b', '20,-3'])('%s is no point, with a sentence', (text) => {
+    expect(() => parsePoints(text)).toThrow(/is no point/);
+  });
+});
+
+describe('the state of a sketch', () => {
+  const state = stateOf({ landmarks: '1,1 9,1', witnesses: '5,5', nu: '1,3,3' });
+
+  test('is read from attributes and written to them', () => {
+    expect(state).toMatchObject({ nu: [1, 3, 3], step: 0, withExtra: false });
+    expect(states.attributesOf(state)).toEqual({
+      landmarks: '1,1 9,1',
+      witnesses: '5,5',
+      nu: '1,3,3',
+      step: null,
+      inserted: null,
+    });
+    expect(states.attributesOf({ ...state, step: 4, withExtra: true })).toMatchObject({
+      landmarks: null,
+      step: '4',
+      inserted: '',
+    });
+  });
+
+  test.each([
+    [{ nu: '1,x' }, /nu="1,x"/],
+    [{ nu: '1,99' }, /nu="1,99"/],
+    [{ step: '0' }, /step="0"/],
+    [{ landmarks: 'here' }, /"here" is no point/],
+  ])('%o is a sentence', (attributes, sentence) => {
+    expect(() => stateOf(attributes as never)).toThrow(sentence);
+  });
+
+  test('two points of a kind are never in one place', () => {
+    expect(states.added(state, 'landmark', { x: 9, y: 1 })).toBeUndefined();
+    expect(states.added(state, 'witness', { x: 9, y: 1 })?.witnesses).toHaveLength(2);
+    expect(states.moved(state, { kind: 'landmark', index: 0 }, { x: 9, y: 1 })).toBeUndefined();
+    expect(states.moved(state, { kind: 'landmark', index: 1 }, { x: 9, y: 1 })?.landmarks[1]).toEqual({
+      x: 9,
+      y: 1,
+    });
+    expect(states.removed(state, { kind: 'landmark', index: 0 }).landmarks).toEqual([{ x: 9, y: 1 }]);
+  });
+
+  test('farthest first, the landmarks are the first witnesses of the order; a comes last', () => {
+    const film = stateOf({ witnesses: '0,0 5,0 9,0', step: '2' });
+    const scale = { order: [2, 0, 1], epsilon: [9, 5, 0] };
+    const setting = { extra: { x: 3, y: 3 }, delaunay: true };
+    expect(questionOf(film, setting, scale).landmarks).toEqual([
+      { x: 9, y: 0 },
+      { x: 0, y: 0 },
+    ]);
+    expect(questionOf({ ...film, withExtra: true }, setting, scale).landmarks.at(-1)).toEqual({ x: 3, y: 3 });
+  });
+});
+
+describe('asking the core', () => {
+  const setting = { extra: undefined, delaunay: true };
+
+  test('leaves out what a drag passes through, and shows the last state', async () => {
+    const core = new SlowCore();
+    const shown: Computed[] = [];
+    const computation = new Computation(core, (computed) => shown.push(computed), unexpected);
+    const at = (x: number): SketchState => stateOf({ landmarks: `${x},0` });
+    computation.want(at(1), setting);
+    await moment();
+    computation.want(at(2), setting);
+    computation.want(at(3), setting);
+    const settled = computation.settled();
+    while (core.waiting.length > 0) {
+      core.waiting.shift()?.();
+      await moment();
+    }
+    await settled;
+    expect(core.asked.map(({ landmarks }) => landmarks[0]?.x)).toEqual([1, 3]);
+    expect(shown.map(({ state }) => state.landmarks[0]?.x)).toEqual([3]);
+  });
+
+  test('asks for the order of the same witnesses once', async () => {
+    const core = new SlowCore();
+    const computation = new Computation(core, () => undefined, unexpected);
+    for (const step of ['1', '2', '3']) {
+      computation.want(stateOf({ witnesses: '0,0 5,0 9,0', step }), setting);
+      await moment();
+      core.waiting.shift()?.();
+      await computation.settled();
+    }
+    expect(core.scales).toBe(1);
+    expect(core.asked.map(({ landmarks }) => landmarks.length)).toEqual([1, 2, 3]);
+  });
+
+  test('a refusal is told, and the next question is answered', async () => {
+    const core = new SlowCore();
+    const failures: unknown[] = [];
+    const shown: Computed[] = [];
+    const computation = new Computation(
+      core,
+      (computed) => shown.push(computed),
+      (error) => failures.push(error),
+    );
+    const refusing = vi.spyOn(core, 'picture').mockRejectedValueOnce(new Error('too many'));
+    computation.want(stateOf({}), setting);
+    await computation.settled();
+    expect(failures).toHaveLength(1);
+    refusing.mockRestore();
+    computation.want(stateOf({}), setting);
+    await moment();
+    core.waiting.shift()?.();
+    await computation.settled();
+    expect(shown).toHaveLength(1);
+  });
+});
+
+describe('in words', () => {
+  test('a figure is told by its counts', () => {
+    const question = {
+      landmarks: [{ x: 1, y: 1 }],
+      witnesses: [{ x: 1, y: 2 }],
+      nu: [1, 2, 3],
+      delaunay: true,
+    };
+    expect(summary(pictureOf(question))).toBe(
+      '1 landmark, 1 witness. The complex has 0 edges and 0 triangles: 1 component.',
+    );
+    expect(summary(pictureOf({ ...question, witnesses: [] }))).toBe(
+      '1 landmark, 0 witnesses: no complex without witnesses.',
+    );
+  });
+
+  test.each([
+    [
+      [0, 3],
+      { kind: 'present', witnesses: [1, 4], count: 2 },
+      'The edge p1 p4 is in the complex. It has 2 witnesses: w2 and w5.',
+    ],
+    [
+      [0, 1],
+      { kind: 'no-witness', closest: 6, rank: 3, needed: 2 },
+      'The edge p1 p2 has no witness. The closest miss is w7: it has to go down to the 3rd landmark of its list to find all corners, and may go no further than the 2nd.',
+    ],
+    [
+      [0, 1, 2],
+      { kind: 'missing-face', face: [0, 2], because: { kind: 'not-delaunay', inside: [3, 5] } },
+      'The triangle p1 p2 p3 is not in the complex, because one of its faces is not: edge p1 p3. The edge p1 p3 is not in the Delaunay triangulation: every disc through its ends holds p4 or p6.',
+    ],
+    [
+      [0, 1, 2],
+      { kind: 'not-delaunay', inside: [3] },
+      'The triangle p1 p2 p3 is not in the Delaunay triangulation: the disc through its corners holds p4.',
+    ],
+    [[0], { kind: 'untold', sentence: 'So it is.' }, 'So it is.'],
+  ] as const)('%o: %o', (vertices, reason, sentence) => {
+    expect(reasonInWords(vertices, reason)).toBe(sentence);
+  });
+
+  test('answers are read by their numbers', () => {
+    expect(numbersIn('p1, p3')).toEqual([1, 3]);
+    expect(numberIn('about 12')).toBe(12);
+    expect(numberIn('1 or 2')).toBeUndefined();
+    expect(numberIn('none')).toBeUndefined();
+    expect(same([1, 2], [1, 2])).toBe(true);
+    expect(same([1, 2], [1, 2, 3])).toBe(false);
+  });
+});

@@ -1,0 +1,32 @@
+import type { PlateauViewElement } from '../embed/plateau-view-element.ts';
+import type { StepDetail } from '../embed/events.ts';
+import { PlaneSketchElement } from '../sketch/plane-sketch-element.ts';
+
+/** The step that each view shows, as it told last. */
+const shown = new WeakMap<Element, StepDetail>();
+
+/** Listens from the beginning: a view tells its step once. */
+export function watchViews(): void {
+  document.addEventListener('step', (event) => {
+    if (event instanceof CustomEvent && event.target instanceof Element)
+      shown.set(event.target, event.detail as StepDetail);
+  });
+}
+
+export function sketchOf(id: string): PlaneSketchElement {
+  const element = document.getElementById(id);
+  if (!(element instanceof PlaneSketchElement)) throw new Error(`#${id} is no sketch`);
+  return element;
+}
+
+/** A view of a cloud, and what it shows; nothing while it is not open. */
+export interface ShownView {
+  readonly element: PlateauViewElement;
+  readonly step: StepDetail | undefined;
+}
+
+export function viewOf(id: string): ShownView {
+  const element = document.querySelector<PlateauViewElement>(`plateau-view#${id}`);
+  if (!element) throw new Error(`#${id} is no view`);
+  return { element, step: shown.get(element) };
+}

@@ -1,0 +1,169 @@
+import { make } from '../embed/dom.ts';
+import { Board, type Layer } from './board.ts';
+import type { Tool } from './board-input.ts';
+
+const TOOLS: readonly (readonly [Tool, string])[] = [
+  ['move', 'Move'],
+  ['landmark', 'Add landmarks'],
+  ['witness', 'Add witnesses'],
+  ['ask', 'Ask why'],
+];
+
+export const LAYER_NAMES: Readonly<Record<Layer, string>> = {
+  complex: 'Complex',
+  cells: 'Voronoi cells',
+  pairs: 'Cells of order two',
+  delaunay: 'Delaunay edges',
+  lists: 'Nearest landmarks',
+  cover: 'Discs of radius ε',
+  names: 'Names',
+};
+
+const KEYS: readonly (readonly [string, string])[] = [
+  ['N, P', 'next or previous point'],
+  ['Arrows', 'move it, or the cross where no point is selected; with shift by five'],
+  ['L, W', 'put a landmark or a witness where the cross is'],
+  ['Delete', 'remove the selected point'],
+  ['Space', 'take the selected landmark into the question why, or out of it'],
+  ['Escape', 'select nothing; the cross stays there'],
+  ['Ctrl+Z', 'undo'],
+];
+
+function button(label: string, title: string): HTMLButtonElement {
+  return make('button', { type: 'button', class: 'button', title }, label);
+}
+
+function check(label: string): { box: HTMLInputElement; label: HTMLLabelElement } {
+  const box = make('input', { type: 'checkbox' });
+  return { box, label: make('label', { class: 'check' }, box, label) };
+}
+
+function rank(label: string): { input: HTMLInputElement; label: HTMLLabelElement } {
+  const input = make('input', { type: 'number', min: '0', max: '12', step: '1', inputmode: 'numeric' });
+  return { input, label: make('label', { class: 'rank-field' }, label, input) };
+}
+
+/** Everything inside a sketch, as nodes. `group` keeps the names of its radio buttons apart from those of others. */
+export function createParts(group: string) {
+  const board = new Board();
+  const keysId = `${group}-keys`;
+  board.svg.setAttribute('aria-describedby', keysId);
+
+  const tools = new Map<Tool, HTMLInputElement>();
+  const toolBox = make('fieldset', { class: 'tools' }, make('legend', {}, 'A press on the board'));
+  for (const [tool, label] of TOOLS) {
+    const radio = make('input', { type: 'radio', name: `${group}-tool`, value: tool });
+    radio.checked = tool === 'move';
+    tools.set(tool, radio);
+    toolBox.append(make('label', { class: 'check' }, radio, label));
+  }
+  const remove = button('Delete', 'Remove the selected point (Delete)');
+  const undo = button('Undo', 'Take the last change back (Ctrl+Z)');
+  const reset = button('Reset', 'As the page had it');
+  remove.disabled = undo.disabled = true;
+  const edits = make('div', { class: 'row' }, toolBox, remove, undo, reset);
+
+  const back = button('Back', 'One landmark less');
+  const forward = button('Next landmark', 'The witness farthest from all landmarks becomes one');
+  const scale = make('output', { class: 'scale' });
+  const steps = make('div', { class: 'row' }, back, forward, scale);
+
+  const insert = button('Insert a', 'The point a becomes a landmark, or ceases to be one');
+  insert.setAttribute('aria-pressed', 'false');
+  const extra = make('div', { class: 'row' }, insert);
+
+  const ranks = [rank('ν₀'), rank('ν₁'), rank('ν₂')];
+  const whole = check('Only Delaunay simplices');
+  const nu = make(
+    'fieldset',
+    { class: 'row ranks' },
+    make('legend', { class: 'for-readers' }, 'How far down its list a witness may look'),
+    ...ranks.map(({ label }) => label),
+    whole.label,
+  );
+
+  const layerBoxes = new Map<Layer, HTMLInputElement>();
+  const layers = make(
+    'fieldset',
+    { class: 'row layers' },
+    make('legend', { class: 'for-readers' }, 'What is shown'),
+  );
+  for (const [layer, name] of Object.entries(LAYER_NAMES) as [Layer, string][]) {
+    const { box, label } = check(name);
+    layerBoxes.set(layer, box);
+    layers.append(label);
+  }
+
+  const corners = make('input', {
+    type: 'text',
+    inputmode: 'numeric',
+    autocomplete: 'off',
+    placeholder: '1 2',
+  });
+  const ask = make('button', { type: 'submit', class: 'button' }, 'Why?');
+  const why = make(
+    'form',
+    { class: 'row' },
+    make('label', { class: 'corners' }, 'Why, or why not, landmarks', corners),
+    ask,
+  );
+  const answer = make('p', { class: 'answer', role: 'status' });
+
+  const readout = make('p', { class: 'readout' });
+  const trouble = make('p', { class: 'trouble', role: 'alert', hidden: '' });
+  const spoken = make('p', { class: 'for-readers', 'aria-live': 'polite' });
+
+  const keys = make('dl', { id: keysId });
+  for (const [key, action] of KEYS) keys.append(make('dt', {}, key), make('dd', {}, action));
+  const help = make('details', { class: 'help' }, make('summary', {}, 'Keys on the board'), keys);
+  const listBody = make('div', { class: 'lists' });
+  const lists = make('details', { class: 'help' }, make('summary', {}, 'The figure in words'), listBody);
+
+  const box = make(
+    'div',
+    { class: 'sketch' },
+    board.svg,
+    readout,
+    trouble,
+    steps,
+    extra,
+    edits,
+    nu,
+    layers,
+    why,
+    answer,
+    spoken,
+    make('div', { class: 'row more' }, help, lists),
+  );
+  return {
+    box,
+    board,
+    tools,
+    remove,
+    undo,
+    reset,
+    edits,
+    back,
+    forward,
+    scale,
+    steps,
+    insert,
+    extra,
+    ranks: ranks.map(({ input }) => input),
+    whole: whole.box,
+    nu,
+    layerBoxes,
+    layers,
+    corners,
+    why,
+    answer,
+    readout,
+    trouble,
+    spoken,
+    help,
+    lists,
+    listBody,
+  };
+}
+
+export type SketchParts = ReturnType<typeof createParts>;
