@@ -55,6 +55,12 @@ function places(table: readonly number[]): number[] {
 /** What each run has to show where the playhead stands: the last step that begins there or before. */
 async function inStep(page: Page, tables: Readonly<Record<'A' | 'B', readonly number[]>>): Promise<void> {
   const scale = Number(await data(film(page), 'scale'));
+  // One axis: the playhead is one line through both diagrams.
+  const lines = page.locator('#compared-film .playhead');
+  await expect
+    .poll(() => lines.evaluateAll((all) => new Set(all.map((line) => line.style.transform)).size))
+    .toBe(1);
+  await expect(lines).toHaveCount(2);
   for (const letter of ['A', 'B'] as const) {
     const begun = places(tables[letter]).filter((place) => place <= scale + 1e-12).length;
     const step = Math.max(1, begun);

@@ -4,7 +4,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { viewOf } from '../../web/src/model/view-state.ts';
-import { drop, expect, openPaused, shown, state, test, torusText } from './page.ts';
+import type { Page } from '@playwright/test';
+import { drop, expect, openPaused, root, shown, state, test, torusText } from './page.ts';
+import { torusFile } from './scan-files.ts';
 
 const command = fileURLToPath(new URL('../../build/native/bin/plateau', import.meta.url));
 
@@ -45,6 +47,55 @@ test('a session that the page saved comes back at its step, as it was looked at'
   await expect(page.locator('main')).toHaveAttribute('data-family', 'delaunay');
   await shown(page, 'torus.plateau');
   expect(await state(page, 'hash')).not.toBe(hash);
+});
+
+/** The file that the page saves. */
+async function saved(page: Page): Promise<Buffer> {
+  const more = page.getByText('More formats');
+  if (!(await page.getByRole('button', { name: 'Session' }).isVisible())) await more.click();
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Session' }).click();
+  return readFileSync(await (await download).path());
+}
+
+/** The full tests take a scan to its noise. */
+const FULL = process.env['PLATEAU_FULL'] === '1';
+const SCAN = FULL ? { points: 100_000, steps: '' } : { points: 20_000, steps: '1500' };
+
+test(`a scan of ${SCAN.points} points comes back in a fresh profile: hash, step and camera`, async ({
+  page,
+  browser,
+}) => {
+  test.setTimeout(FULL ? 3_600_000 : 240_000);
+  const ended = { timeout: FULL ? 1_500_000 : 90_000 };
+  await page.goto('./?sample=none');
+  await page.getByLabel('Open point cloud').setInputFiles(torusFile(SCAN.points));
+  await expect(root(page)).toHaveAttribute('data-source', `torus-${SCAN.points}.ply`);
+  if (SCAN.steps !== '') {
+    await page.getByText('Settings', { exact: true }).click();
+    await page.getByLabel('Stop at N').fill(SCAN.steps);
+    await page.getByLabel('Stop at N').press('Enter');
+    await expect(root(page)).toHaveAttribute('data-steps', SCAN.steps);
+  }
+  await expect(root(page)).toHaveAttribute('data-run-state', 'finished', ended);
+  await page.getByRole('slider', { name: 'Step' }).fill('777');
+  await page.locator('#shape').focus();
+  for (const key of ['ArrowRight', 'ArrowRight', 'ArrowUp', '+']) await page.keyboard.press(key);
+  const session = await saved(page);
+  // Twelve bytes a point: single precision loses nothing of it.
+  expect(session.length).toBeLessThan(12 * SCAN.points + 2_000);
+
+  const context = await browser.newContext({ viewport: { width: 760, height: 560 } });
+  const other = await context.newPage();
+  await other.goto('./?sample=none');
+  await drop(other, 'scan.plateau', session);
+  await expect(root(other)).toHaveAttribute('data-source', 'scan.plateau');
+  await expect(root(other)).toHaveAttribute('data-run-state', 'finished', ended);
+  for (const key of ['hash', 'steps', 'step']) expect(await state(other, key)).toBe(await state(page, key));
+  expect(await state(other, 'step')).toBe('777');
+  // Saved once more it is the same file: its points, settings, step and camera.
+  expect((await saved(other)).equals(session)).toBe(true);
+  await context.close();
 });
 
 test('a view that makes no sense is left out', () => {

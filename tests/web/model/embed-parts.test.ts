@@ -5,6 +5,7 @@ import { nameOf, optionsFor } from '../../../web/src/embed/element-cloud.ts';
 import { plateauDetail } from '../../../web/src/embed/events.ts';
 import { hostTheme } from '../../../web/src/embed/host-theme.ts';
 import { settingsOf, type Settings } from '../../../web/src/embed/settings.ts';
+import type { PlateauCard } from '../../../web/src/model/plateau-cards.ts';
 import { npyOf, sourceOf } from '../../../web/src/package/cloud.ts';
 
 /** What the attributes ask for. */
@@ -160,10 +161,10 @@ test('a shape has the settings of the gallery unless others are asked for', () =
 });
 
 test('a plateau with torsion says so', () => {
-  const card = {
+  const card: PlateauCard = {
     ...{ firstStep: 5, lastStep: 20, middleStep: 10, epsilonFirst: 0.5, length: 2, runs: 1 },
     ...{ family: 'dilated', betti: [1, 2, 1, 0] },
-  } as const;
+  };
   expect(plateauDetail(card, 1)).toMatchObject({ rank: 1, shape: 'torus-like hollow shape' });
   expect(plateauDetail(card, 1)).not.toHaveProperty('torsion');
   expect(plateauDetail(card, 1)).not.toHaveProperty('runs');

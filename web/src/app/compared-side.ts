@@ -100,7 +100,7 @@ export class ComparedSide {
 
   private showSettings(): void {
     const memory = memoryInWords(this.record.memoryBytes);
-    const more = make('span', { class: 'roomy' }, ' in use');
+    const more = make('span', { class: 'spare' }, ' in use');
     this.parts.settings.replaceChildren(`${settingsInWords(this.run)} · ${memory}`, more);
   }
 }

@@ -86,7 +86,7 @@ export function createComparedFilm(diagrams: readonly HTMLElement[]) {
   const close = make(
     'button',
     { id: 'close-compare', type: 'button', class: 'button', title: 'Back to run A alone (V)' },
-    make('span', {}, 'Close', make('span', { class: 'roomy' }, ' comparison')),
+    make('span', {}, 'Close', make('span', { class: 'spare' }, ' comparison')),
   );
   transport.readout.after(close);
   const axis = make('select', { 'aria-label': 'Axis of 1/ε', title: 'Logarithmic or linear (L)' });
