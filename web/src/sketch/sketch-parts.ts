@@ -167,3 +167,12 @@ export function createParts(group: string) {
 }
 
 export type SketchParts = ReturnType<typeof createParts>;
+
+/** Shows the controls that are offered, and those of landmarks that the core chooses farthest first. */
+export function arrange(parts: SketchParts, offer: string, farthestFirst: boolean): void {
+  const offers = offer.split(/[\s,_]+/);
+  for (const name of ['edits', 'nu', 'layers', 'why'] as const) parts[name].hidden = !offers.includes(name);
+  parts.steps.hidden = !farthestFirst;
+  parts.tools.get('landmark')?.parentElement?.toggleAttribute('hidden', farthestFirst);
+  parts.layerBoxes.get('cover')?.parentElement?.toggleAttribute('hidden', !farthestFirst);
+}
