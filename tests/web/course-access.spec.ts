@@ -80,7 +80,6 @@ test('a page of the course downloads little beyond the core', async ({ page }) =
     await page.waitForLoadState('networkidle');
     page.removeAllListeners('requestfinished');
     const loaded = await Promise.all(sizes.map(async ([url, size]) => ({ url, size: await size })));
-    expect(loaded.some(({ url }) => url.endsWith('.wasm'))).toBe(true);
     const workers = page.workers().map((worker) => worker.url());
     expect(workers).toHaveLength(1);
     const own = loaded.filter(({ url }) => !core.test(url) && !workers.includes(url));

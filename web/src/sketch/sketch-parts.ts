@@ -116,7 +116,8 @@ export function createParts(group: string) {
   const keys = make('dl', { id: keysId });
   for (const [key, action] of KEYS) keys.append(make('dt', {}, key), make('dd', {}, action));
   const help = make('details', { class: 'help' }, make('summary', {}, 'Keys on the board'), keys);
-  const listBody = make('div', { class: 'lists' });
+  // It scrolls, and so keys must reach it.
+  const listBody = make('div', { class: 'lists', tabindex: '0', role: 'group', 'aria-label': 'Figure' });
   const lists = make('details', { class: 'help' }, make('summary', {}, 'The figure in words'), listBody);
 
   const box = make(
