@@ -8,7 +8,8 @@ import { expect, test } from './page.ts';
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const FILES = ['index', 'sketch', ...COURSE_PAGES.map(({ file }) => file)];
 const SIZES = { desktop: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } } as const;
-/** Pictures for people to look at. */
+/** `npm run test:full` takes pictures of all pages, for people to look at. */
+const FULL = process.env['PLATEAU_FULL'] !== undefined;
 const FOLDER = 'build/screens';
 
 async function complaints(page: Page): Promise<string[]> {
@@ -29,68 +30,71 @@ async function ready(page: Page, file: string): Promise<void> {
     await expect(sketch).toHaveAttribute('data-betti', /^\d/);
 }
 
-for (const [device, viewport] of Object.entries(SIZES)) {
-  for (const colorScheme of ['light', 'dark'] as const) {
-    test(`axe finds nothing in the course: ${device}, ${colorScheme}`, async ({ page }) => {
-      test.setTimeout(150_000);
-      await page.setViewportSize(viewport);
-      await page.emulateMedia({ colorScheme });
-      for (const file of FILES) {
-        await ready(page, file);
-        const sketch = page.locator('plane-sketch').first();
-        if ((await sketch.count()) > 0) {
-          // With an answer, a mark and all that is folded.
-          await page.evaluate(() => {
-            const roots: ParentNode[] = [document];
-            for (const host of document.querySelectorAll('plane-sketch'))
-              if (host.shadowRoot) roots.push(host.shadowRoot);
-            for (const root of roots)
-              root.querySelectorAll('details').forEach((details) => (details.open = true));
-          });
-          await sketch.evaluate((element) =>
-            Reflect.apply(Reflect.get(element, 'inspect') as () => void, element, [[0, 1]]),
-          );
-          await expect(sketch.getByRole('status').first()).not.toBeEmpty();
-        }
-        expect(await complaints(page), file).toEqual([]);
-        await page.screenshot({
-          path: `${FOLDER}/course-${device}-${colorScheme}-${file}.png`,
-          fullPage: true,
-        });
-        expect(
-          await page.evaluate(
-            () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-          ),
-          `${file} scrolls sideways`,
-        ).toBe(0);
-      }
-    });
-  }
+/** With an answer, and with all that is folded. */
+async function unfold(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const roots: ParentNode[] = [document];
+    for (const host of document.querySelectorAll('plane-sketch'))
+      if (host.shadowRoot) roots.push(host.shadowRoot);
+    for (const root of roots) root.querySelectorAll('details').forEach((details) => (details.open = true));
+  });
+  const sketch = page.locator('plane-sketch').first();
+  if ((await sketch.count()) === 0) return;
+  await sketch.evaluate((element) => {
+    const inspect = Reflect.get(element, 'inspect') as (vertices: number[]) => void;
+    inspect.call(element, [0, 1]);
+  });
+  await expect(sketch.getByRole('status').first()).not.toBeEmpty();
 }
 
-test('a page of the course downloads little beyond the core', async ({ page }) => {
+for (const file of FILES) {
+  test(`axe finds nothing on any screen, light or dark: ${file}`, async ({ page }) => {
+    await page.setViewportSize(SIZES.desktop);
+    await ready(page, file);
+    for (const [device, viewport] of Object.entries(SIZES)) {
+      await page.setViewportSize(viewport);
+      for (const colorScheme of ['light', 'dark'] as const) {
+        await page.emulateMedia({ colorScheme });
+        if (FULL) {
+          const path = `${FOLDER}/course-${device}-${colorScheme}-${file}.png`;
+          await page.screenshot({ path, fullPage: true });
+        }
+        if (device === 'desktop' && colorScheme === 'light') await unfold(page);
+        expect(await complaints(page), `${device}, ${colorScheme}`).toEqual([]);
+      }
+      const sideways = await page.evaluate(
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+      );
+      expect(sideways, `${device}: it scrolls sideways`).toBe(0);
+    }
+  });
+}
+
+test('a page of the course downloads little beyond the core, the next one next to nothing', async ({
+  page,
+}) => {
   /** The module, its worker, and what figures in space are made of: the page of Plateau has them, too. */
   const core = /\.wasm$|\/assets\/(transport|views)-[\w-]+\.js$/;
-  for (const file of ['voronoi', 'surfaces']) {
-    const sizes: [string, Promise<number>][] = [];
+  const load = async (file: string): Promise<number> => {
+    const sizes: { url: string; size: Promise<number> }[] = [];
     page.on('requestfinished', (request) => {
-      sizes.push([request.url(), request.sizes().then(({ responseBodySize }) => responseBodySize)]);
+      sizes.push({ url: request.url(), size: request.sizes().then((each) => each.responseBodySize) });
     });
     await ready(page, file);
     await page.waitForLoadState('networkidle');
     page.removeAllListeners('requestfinished');
-    const loaded = await Promise.all(sizes.map(async ([url, size]) => ({ url, size: await size })));
     const workers = page.workers().map((worker) => worker.url());
     expect(workers).toHaveLength(1);
-    const own = loaded.filter(({ url }) => !core.test(url) && !workers.includes(url));
-    const bytes = own.reduce((sum, { size }) => sum + size, 0);
-    console.log(
-      `${file}: ${bytes} bytes`,
-      own.map(({ url, size }) => `${url.replace(/.*\//, '')} ${size}`).join(', '),
-    );
-    expect(bytes).toBeGreaterThan(5_000);
-    expect(bytes).toBeLessThanOrEqual(60_000);
-  }
+    const own = sizes.filter(({ url }) => !core.test(url) && !workers.includes(url));
+    expect(own.some(({ url }) => url.endsWith('.css'))).toBe(true);
+    return (await Promise.all(own.map(({ size }) => size))).reduce((sum, size) => sum + size, 0);
+  };
+  const first = await load('surfaces');
+  expect(first).toBeGreaterThan(10_000);
+  expect(first).toBeLessThanOrEqual(60_000);
+  const next = await load('plateaus');
+  expect(next).toBeGreaterThan(1_000);
+  expect(next).toBeLessThanOrEqual(10_000);
 });
 
 test('on paper there are figures and questions, and no buttons or hints', async ({ page }) => {
