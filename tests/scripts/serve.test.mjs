@@ -20,6 +20,8 @@ before(async () => {
   mkdirSync(join(base, 'page-two'));
   writeFileSync(join(base, 'page-two', 'secret.txt'), 'secret');
   writeFileSync(join(folder, 'index.html'), '<!doctype html><title>Plateau</title>');
+  mkdirSync(join(folder, 'course'));
+  writeFileSync(join(folder, 'course', 'index.html'), '<!doctype html><title>Course</title>');
   writeFileSync(join(folder, 'assets', 'core.wasm'), 'asm');
   writeFileSync(join(folder, 'assets', 'app.js'), 'export {};');
   symlinkSync(join(base, 'secret.txt'), join(folder, 'link.txt'));
@@ -54,6 +56,13 @@ test('the page comes with a strict policy', async () => {
   assert.match(policy, /default-src 'self'/);
   assert.match(policy, /script-src 'self' 'wasm-unsafe-eval'(;|$)/);
   assert.doesNotMatch(policy, /unsafe-inline|'unsafe-eval'|\*/);
+});
+
+test('every site may show the course in a frame; all else of its policy is as strict', async () => {
+  const of = async (path) => (await ask(path)).headers['content-security-policy'];
+  assert.match(await of('/course/'), /frame-ancestors \*$/);
+  assert.match(await of('/'), /frame-ancestors 'self'$/);
+  assert.equal((await of('/course/')).replace('frame-ancestors *', "frame-ancestors 'self'"), await of('/'));
 });
 
 test('module and scripts have the types that browsers ask for', async () => {

@@ -83,6 +83,12 @@ test('after the first visit no network is needed', async ({ page, context }) => 
   await expect.poll(async () => Number(await state(page, 'step'))).toBeGreaterThan(3);
   await page.getByLabel('Sample').selectOption({ label: 'Stanford bunny' });
   await expect(root(page)).toHaveAttribute('data-source', 'bunny');
+  // The course came along.
+  for (const name of ['', 'witnesses.html']) {
+    await page.goto(`${address}course/${name}`);
+    await expect(page.locator('h1')).toHaveText(name === '' ? /course/ : '2. Witnesses and landmarks');
+  }
+  await expect(page.locator('#first')).toHaveAttribute('data-betti', '1,0');
 });
 
 test('a new build is shown at once and replaces what was kept', async ({ page }) => {

@@ -34,13 +34,15 @@ export const COURSE_PAGES = [
 
 const row = (...parts: readonly string[]): string => `<mrow>${parts.join('')}</mrow>`;
 const math = (inner: string): string => `<math>${inner}</math>`;
-const of = (what: string, argument = '<mi>L</mi>'): string => `${what}<mo>(</mo>${argument}<mo>)</mo>`;
+const of = (what: string, argument = '<mi>L</mi>'): string =>
+  `${what}<mo stretchy="false">(</mo>${argument}<mo stretchy="false">)</mo>`;
 const list = (...entries: readonly (number | string)[]): string =>
-  `<mo>(</mo>${entries.map((entry) => `<mn>${entry}</mn>`).join('<mo>,</mo>')}<mo>)</mo>`;
+  `<mo stretchy="false">(</mo>${entries.map((entry) => `<mn>${entry}</mn>`).join('<mo>,</mo>')}<mo stretchy="false">)</mo>`;
 const witnessComplex = '<msup><mi>C</mi><mi>W</mi></msup>';
 const relaxed = '<msubsup><mi>C</mi><mi>ν</mi><mi>W</mi></msubsup>';
 const beta = (k: number): string => `<msub><mi>β</mi><mn>${k}</mn></msub>`;
-const distance = (a: string, b: string): string => `<mi>d</mi><mo>(</mo>${a}<mo>,</mo>${b}<mo>)</mo>`;
+const distance = (a: string, b: string): string =>
+  `<mi>d</mi><mo stretchy="false">(</mo>${a}<mo>,</mo>${b}<mo stretchy="false">)</mo>`;
 const corner = '<msub><mi>p</mi><mi>i</mi></msub>';
 
 /** Formulas by name, as `<!-- math: name -->`. */
@@ -52,6 +54,7 @@ const FORMULAS: Readonly<Record<string, string>> = {
   DS: of('<msup><mi>D</mi><mi>S</mi></msup>'),
   S: '<mi>S</mi>',
   CW: of(witnessComplex),
+  CW_in_D: row(of(witnessComplex), '<mo>⊆</mo>', of('<mi>D</mi>')),
   CNU: of(relaxed),
   CNUD: row(of(relaxed), '<mo>∩</mo>', of('<mi>D</mi>')),
   surface: '<mover><mi>S</mi><mo>^</mo></mover>',
@@ -85,18 +88,18 @@ const FORMULAS: Readonly<Record<string, string>> = {
   edges: row('<mn>3</mn><mi>n</mi><mo>−</mo><mn>3</mn><mo>−</mo><mi>h</mi>'),
   witnessed: row(distance('<mi>w</mi>', corner), '<mo>≤</mo>', distance('<mi>w</mi>', '<mi>q</mi>')),
   length: row(
-    '<mi>ln</mi><mo>(</mo>',
+    '<mi>ln</mi><mo stretchy="false">(</mo>',
     of('<mi>ε</mi>', '<mtext>first</mtext>'),
     '<mo>/</mo>',
     of('<mi>ε</mi>', '<mtext>after the last</mtext>'),
-    '<mo>)</mo>',
+    '<mo stretchy="false">)</mo>',
   ),
   power: row(
     '<msup>',
     row('<mo>|</mo><mi>c</mi><mo>−</mo><mi>p</mi><mo>|</mo>'),
     '<mn>2</mn></msup><mo>−</mo><mi>ω</mi>',
     '<msup>',
-    row('<mo>(</mo><mi>p</mi><mo>)</mo>'),
+    row('<mo stretchy="false">(</mo><mi>p</mi><mo stretchy="false">)</mo>'),
     '<mn>2</mn></msup>',
   ),
 };

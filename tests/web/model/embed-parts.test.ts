@@ -30,6 +30,14 @@ describe('attributes', () => {
     });
   });
 
+  test('steps are how many landmarks at most', () => {
+    expect(settings({ shape: 'torus', steps: '40' }).options).toEqual({ maxSteps: 40 });
+    expect(settings({ shape: 'torus', steps: '0' })).toMatchObject({
+      options: {},
+      complaints: ['steps="0" was not understood; it takes a whole number from 1 on.'],
+    });
+  });
+
   test('a shape has its usual size, an unknown one a common one; the core says whether there is one', () => {
     expect(settings({ shape: 'sphere' }).source).toEqual({ kind: 'shape', shape: 'sphere', size: 3000 });
     expect(settings({ shape: 'double-torus' }).source).toMatchObject({ size: 15000 });

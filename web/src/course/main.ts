@@ -42,10 +42,11 @@ function offerChoices(): void {
 
 watchViews();
 rememberPresets();
-followLink();
-addEventListener('hashchange', followLink);
 computeWith(coreOfPage());
 customElements.define('plane-sketch', PlaneSketchElement);
+// Not before: what the page has is what a sketch can be reset to.
+followLink();
+addEventListener('hashchange', followLink);
 if (document.querySelector('plateau-view'))
   void import('./views.ts').then(({ defineViews }) => defineViews());
 offerLinks();

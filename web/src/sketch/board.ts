@@ -35,6 +35,8 @@ export type Target =
   | { readonly kind: 'simplex'; readonly vertices: readonly number[] };
 
 const MARGIN = 3;
+/** More names would hide the points. */
+const MOST_NAMES = 40;
 /** Upwards is more. */
 const up = (y: number): number => BOARD.height - y;
 const path = (points: readonly Point[]): string =>
@@ -176,12 +178,15 @@ export class Board {
         );
       if (label !== '') parts.push(draw('text', { x: x + 2.2, y: up(y) - 2, class: `${kind}-name` }, label));
     };
+    // Where a witness is a landmark there is room for one name.
+    const namesWitness = (place: Point): boolean =>
+      names && witnesses.length <= MOST_NAMES && !landmarks.some((other) => samePlace(other, place));
     const last = extraIn && extra ? landmarks.length - 1 : -1;
     landmarks.forEach((place, i) =>
       point('landmark', place, i, i === last ? 'a' : names ? landmarkName(i) : ''),
     );
     witnesses.forEach((place, i) =>
-      point('witness', place, i, (names && witnesses.length <= 40) || lit.includes(i) ? witnessName(i) : ''),
+      point('witness', place, i, namesWitness(place) || lit.includes(i) ? witnessName(i) : ''),
     );
     if (extra && !extraIn) {
       parts.push(

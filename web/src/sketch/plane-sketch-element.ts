@@ -5,7 +5,7 @@ import type { PlaneCore, PlanePicture, PlaneQuestion, Reason } from './plane.ts'
 import { BOARD, onBoard, parsePoints, type Point } from './points.ts';
 import { figureInWords } from './figure-in-words.ts';
 import { pointInWords, summary } from './sketch-words.ts';
-import { createParts, type SketchParts } from './sketch-parts.ts';
+import { arrange, createParts, type SketchParts } from './sketch-parts.ts';
 import * as states from './sketch-state.ts';
 import type { PointKind, PointName, SketchState } from './sketch-state.ts';
 import { sketchStyle } from './sketch-style.ts';
@@ -22,8 +22,13 @@ let core: PlaneCore | undefined;
 let made = 0;
 
 /** Who computes for all sketches of the page. */
-export function computeWith(planeCore: PlaneCore): void {
-  core = planeCore;
+export function computeWith(answering: PlaneCore): void {
+  core = answering;
+}
+
+function planeCore(): PlaneCore {
+  if (!core) throw new Error('computeWith comes before the first sketch');
+  return core;
 }
 
 /**
@@ -50,9 +55,8 @@ export class PlaneSketchElement extends HTMLElement {
 
   constructor() {
     super();
-    if (!core) throw new Error('computeWith comes before the first sketch');
     this.computation = new Computation(
-      core,
+      planeCore(),
       (computed) => this.show(computed),
       (error) => this.fail(error),
     );
@@ -78,7 +82,7 @@ export class PlaneSketchElement extends HTMLElement {
     return this.current;
   }
 
-  /** Landmarks by their order, and the scale after each, where they are chosen farthest first. */
+  /** Farthest first: the order of the landmarks, and the scale after each. */
   get scale() {
     return this.computed?.scale;
   }
@@ -98,11 +102,11 @@ export class PlaneSketchElement extends HTMLElement {
   }
 
   ask(question: PlaneQuestion): Promise<PlanePicture> {
-    return this.answering.picture(question);
+    return planeCore().picture(question);
   }
 
   why(vertices: readonly number[], question = this.question()): Promise<Reason> {
-    return this.answering.why(question, vertices);
+    return planeCore().why(question, vertices);
   }
 
   /** Switches a layer on, as an answer does that shows what it says. */
@@ -124,11 +128,6 @@ export class PlaneSketchElement extends HTMLElement {
     if (this.isConnected && !this.reflecting) this.readAttributes();
   }
 
-  private get answering(): PlaneCore {
-    if (!core) throw new Error('computeWith comes before the first sketch');
-    return core;
-  }
-
   private get setting(): Setting {
     return { extra: this.extra, delaunay: this.getAttribute('complex') !== 'whole' };
   }
@@ -148,16 +147,9 @@ export class PlaneSketchElement extends HTMLElement {
     }
     const shown = (this.getAttribute('show') ?? 'complex names').split(/[\s,_]+/);
     this.layers = new Set(LAYERS.filter((layer) => shown.includes(layer)));
-    const offers = (this.getAttribute('offer') ?? 'edits nu layers why').split(/[\s,_]+/);
-    for (const name of ['edits', 'nu', 'layers', 'why'] as const) parts[name].hidden = !offers.includes(name);
-    for (const [layer, box] of parts.layerBoxes) {
-      box.checked = this.layers.has(layer);
-      if (layer === 'cover') box.parentElement?.toggleAttribute('hidden', this.current.step === 0);
-    }
+    for (const [layer, box] of parts.layerBoxes) box.checked = this.layers.has(layer);
     parts.whole.checked = this.setting.delaunay;
-    parts.steps.hidden = this.current.step === 0;
-    // Farthest first, the landmarks are for the core to choose.
-    parts.tools.get('landmark')?.parentElement?.toggleAttribute('hidden', this.current.step > 0);
+    arrange(parts, this.getAttribute('offer') ?? 'edits nu layers why', this.current.step > 0);
     this.past = [];
     this.select(undefined);
     this.refresh();
@@ -194,9 +186,10 @@ export class PlaneSketchElement extends HTMLElement {
     parts.insert.addEventListener('click', () =>
       this.commit({ ...this.current, withExtra: !this.current.withExtra }),
     );
-    parts.whole.addEventListener('change', () =>
-      this.setAttribute('complex', parts.whole.checked ? 'delaunay' : 'whole'),
-    );
+    parts.whole.addEventListener('change', () => {
+      this.reflect({ complex: parts.whole.checked ? 'delaunay' : 'whole' });
+      this.refresh();
+    });
     parts.ranks.forEach((input) => input.addEventListener('change', () => this.takeNu()));
     for (const [layer, box] of parts.layerBoxes) {
       box.addEventListener('change', () => {
@@ -304,8 +297,10 @@ export class PlaneSketchElement extends HTMLElement {
   private removeSelected(): void {
     if (!this.selected) return;
     const next = states.removed(this.current, this.selected);
+    const said = this.selectedInWords();
     this.select(undefined);
     this.commit(next);
+    this.voice.say('place', `Removed: ${said}`);
     this.parts.board.svg.focus();
   }
 

@@ -116,7 +116,8 @@ export function createParts(group: string) {
   const keys = make('dl', { id: keysId });
   for (const [key, action] of KEYS) keys.append(make('dt', {}, key), make('dd', {}, action));
   const help = make('details', { class: 'help' }, make('summary', {}, 'Keys on the board'), keys);
-  const listBody = make('div', { class: 'lists' });
+  // It scrolls, and so keys must reach it.
+  const listBody = make('div', { class: 'lists', tabindex: '0', role: 'group', 'aria-label': 'Figure' });
   const lists = make('details', { class: 'help' }, make('summary', {}, 'The figure in words'), listBody);
 
   const box = make(
@@ -167,3 +168,12 @@ export function createParts(group: string) {
 }
 
 export type SketchParts = ReturnType<typeof createParts>;
+
+/** Shows the controls that are offered, and those of landmarks that the core chooses farthest first. */
+export function arrange(parts: SketchParts, offer: string, farthestFirst: boolean): void {
+  const offers = offer.split(/[\s,_]+/);
+  for (const name of ['edits', 'nu', 'layers', 'why'] as const) parts[name].hidden = !offers.includes(name);
+  parts.steps.hidden = !farthestFirst;
+  parts.tools.get('landmark')?.parentElement?.toggleAttribute('hidden', farthestFirst);
+  parts.layerBoxes.get('cover')?.parentElement?.toggleAttribute('hidden', !farthestFirst);
+}

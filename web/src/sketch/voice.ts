@@ -12,7 +12,8 @@ export class Voice {
     this.unsaid.set(kind, sentence);
     clearTimeout(this.speaking);
     this.speaking = setTimeout(() => {
-      this.element.textContent = [...this.unsaid.values()].join('. ');
+      const parts = [this.unsaid.get('place'), this.unsaid.get('summary')];
+      this.element.textContent = parts.filter((part) => part !== undefined).join('. ');
       this.unsaid.clear();
     }, SPEAK_AFTER_MS);
   }
