@@ -322,6 +322,7 @@ const KEYS: Readonly<
   L: { press: 'l', single: true, seen: 'axis' },
   S: { press: 's', single: true, seen: 'share' },
   V: { press: 'v', single: true, seen: 'compare' },
+  I: { press: 'i', single: true, seen: 'why' },
   '?': { press: '?', single: true, seen: 'help' },
 };
 /** These show in the chooser of the browser and in the picture, and have tests of their own. */

@@ -7,6 +7,7 @@ import './film-and-cards.css';
 import './tools.css';
 import './pumps.css';
 import './sheets.css';
+import './why.css';
 import './phone.css';
 import './comparison.css';
 import type { AxisKind } from '../model/scale-axis.ts';
@@ -29,6 +30,7 @@ import { startFrom, type SourceChoice } from './source.ts';
 import { explainTerms } from './term-tips.ts';
 import type { TransportActions } from './transport.ts';
 import type { RunOptions } from '../worker/protocol.ts';
+import { WhySheet } from './why-sheet.ts';
 
 const page = new Page();
 const fileInput = byId('file', HTMLInputElement);
@@ -101,6 +103,7 @@ offerExports(page);
 const gallery = new Gallery(page.client, openSample);
 const help = new HelpSheet();
 const share = new ShareSheet(page, comparison);
+const why = new WhySheet(page);
 closeSheets();
 explainTerms(byId('plateau', HTMLElement));
 byId('open-gallery', HTMLButtonElement).addEventListener('click', () => gallery.open());
@@ -157,6 +160,7 @@ listenToKeys({
     f: () => (comparison.pair ?? page.shape)?.fit(),
     s: () => void share.open(),
     v: compareOrNot,
+    i: () => why.toggle(),
     '?': () => help.open(),
   },
 });

@@ -21,6 +21,8 @@ export class ViewTools {
   private readonly dimensions = new DimensionTools();
   private shape: ShapeView | undefined;
   private beside: ShapeView | undefined;
+  /** Called after each drawing: for what lies over the shape. */
+  onDrawn: () => void = () => undefined;
 
   constructor() {
     const form = byId('tools', HTMLFormElement);
@@ -67,7 +69,10 @@ export class ViewTools {
   }
 
   /** Told after each drawing. */
-  readonly showScale = this.scaleBar.show;
+  readonly showScale = (unitsPerPixel: number): void => {
+    this.onDrawn();
+    this.scaleBar.show(unitsPerPixel);
+  };
 
   private apply(): void {
     const [witnesses = true, landmarks = true, edges = true, faces = true] = this.boxes.map(
