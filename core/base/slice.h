@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/deadline.h"
@@ -24,6 +25,9 @@ public:
         left_ -= units;
         return false;
     }
+
+    /// What a piece of work took beyond the units that were asked for.
+    void charge(std::uint32_t units) { left_ -= std::min(left_, units); }
 
 private:
     const Deadline* deadline_;

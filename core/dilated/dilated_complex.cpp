@@ -42,8 +42,9 @@ bool DilatedComplex::insert(Step step, std::span<const double> point, double eps
                             std::vector<SimplexTable>& of_dimension, Slice& slice) {
     Tables tables{step, of_dimension};
     const double zeta = options_.dilation * epsilon;
+    if (!search_) search_.emplace(lists, landmarks_);
     if (place_.phase == Phase::Idle) {
-        if (!search_) search_.emplace(lists, landmarks_);
+        if (!search_->prepare(slice)) return false;
         deaths_.clear();
         hidden_.clear();
         landmarks_.add(point, 0);
@@ -63,6 +64,7 @@ bool DilatedComplex::insert(Step step, std::span<const double> point, double eps
     if (place_.phase == Phase::BearVertex) {
         if (slice.used_up(WitnessSearch::kUnits)) return false;
         bear_vertex(zeta, step);
+        slice.charge(search_->looked_at());
         place_ = {.phase = Phase::Bear, .k = 1};
     }
     while (place_.k < living_.size()) {
@@ -132,7 +134,10 @@ bool DilatedComplex::lose(double zeta, Tables& tables, Slice& slice) {
                 const auto vertices = tuple(k, living.simplex, tables);
                 std::optional<Watch> next;
                 if (is_cut) next = search_->look_at(vertices, zeta, watch.witness);
-                if (!next) next = search_->find(vertices, zeta, watch.nearest.data());
+                if (!next) {
+                    next = search_->find(vertices, zeta, watch.nearest.data());
+                    slice.charge(search_->looked_at());
+                }
                 if (!next) {
                     kill(k, living.simplex, tables);
                     continue;
@@ -192,6 +197,7 @@ bool DilatedComplex::bear_edges(double zeta, Tables& tables, Slice& slice) {
         if (slice.used_up(WitnessSearch::kUnits)) return false;
         const std::array edge = {other, tables.step};
         if (const auto watch = search_->find(edge, zeta, p)) bear_one(1, edge, {}, *watch, tables);
+        slice.charge(search_->looked_at());
     }
     return true;
 }
@@ -229,6 +235,7 @@ bool DilatedComplex::bear(std::size_t k, double zeta, Tables& tables, Slice& sli
             if (const auto watch = search_->find(vertices, zeta, landmarks_.point(tables.step))) {
                 bear_one(k, vertices, {facets.data(), k + 1}, *watch, tables);
             }
+            slice.charge(search_->looked_at());
         }
         place_.partner = 0;
     }

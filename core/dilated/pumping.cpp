@@ -22,18 +22,20 @@ void for_each_face(const std::vector<Step>& simplex, const Use& use) {
 
 }  // namespace
 
-bool Pumping::is_witnessed(std::span<const Step> simplex, std::uint32_t level) {
+std::optional<bool> Pumping::is_witnessed(std::span<const Step> simplex, std::uint32_t level, Slice& slice) {
+    if (slice.used_up(WitnessSearch::kUnits)) return std::nullopt;
     landmarks_->reweigh(largest_ * level / kLevels + tie_breaking_);
-    return search_->find(simplex, zeta_, landmarks_->point(p_)).has_value();
+    const bool result = search_->find(simplex, zeta_, landmarks_->point(p_)).has_value();
+    slice.charge(search_->looked_at());
+    return result;
 }
 
 // At the level that suits it best: the highest with p, the lowest without.
 std::optional<bool> Pumping::may_be_witnessed(const Simplex& simplex, Slice& slice) {
     const auto known = possible_.find(simplex);
     if (known != possible_.end()) return known->second;
-    if (slice.used_up(WitnessSearch::kUnits)) return std::nullopt;
-    const bool result = is_witnessed(simplex, simplex.back() == p_ ? kLevels : 0);
-    possible_.emplace(simplex, result);
+    const auto result = is_witnessed(simplex, simplex.back() == p_ ? kLevels : 0, slice);
+    if (result) possible_.emplace(simplex, *result);
     return result;
 }
 
@@ -41,21 +43,23 @@ std::optional<bool> Pumping::may_be_witnessed(const Simplex& simplex, Slice& sli
 std::optional<Pumping::Levels> Pumping::own_levels(const Simplex& simplex, Slice& slice) {
     const auto known = levels_.find(simplex);
     if (known != levels_.end()) return known->second;
-    constexpr std::uint32_t kSearches = 11;
-    static_assert(1u << (kSearches - 1) == kLevels && kSearches * WitnessSearch::kUnits <= Slice::kUnits);
-    if (slice.used_up(kSearches * WitnessSearch::kUnits)) return std::nullopt;
     const bool has_p = simplex.back() == p_;
-    Levels levels;
-    if (!is_witnessed(simplex, has_p ? 0 : kLevels)) {
-        std::uint32_t low = 0;
-        std::uint32_t high = kLevels;
-        while (high - low > 1) {
-            const std::uint32_t middle = low + (high - low) / 2;
-            (is_witnessed(simplex, middle) == has_p ? high : low) = middle;
-        }
-        (has_p ? levels.first : levels.last) = has_p ? high : low;
-        ++pump_.events;
+    if (!halving_) {
+        const auto always = is_witnessed(simplex, has_p ? 0 : kLevels, slice);
+        if (!always) return std::nullopt;
+        if (*always) return levels_.emplace(simplex, Levels()).first->second;
+        halving_ = Levels{0, kLevels};
     }
+    while (halving_->last - halving_->first > 1) {
+        const std::uint32_t middle = halving_->first + (halving_->last - halving_->first) / 2;
+        const auto here = is_witnessed(simplex, middle, slice);
+        if (!here) return std::nullopt;
+        (*here == has_p ? halving_->last : halving_->first) = middle;
+    }
+    Levels levels;
+    (has_p ? levels.first : levels.last) = has_p ? halving_->last : halving_->first;
+    halving_.reset();
+    ++pump_.events;
     levels_.emplace(simplex, levels);
     return levels;
 }

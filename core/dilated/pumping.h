@@ -63,7 +63,7 @@ private:
 
     enum class Phase : std::uint8_t { Begin, Edges, Star, Choice, Done };
 
-    bool is_witnessed(std::span<const Step> simplex, std::uint32_t level);
+    std::optional<bool> is_witnessed(std::span<const Step> simplex, std::uint32_t level, Slice& slice);
     std::optional<bool> may_be_witnessed(const Simplex& simplex, Slice& slice);
     std::optional<Levels> own_levels(const Simplex& simplex, Slice& slice);
     std::optional<Levels> star_levels(const Simplex& simplex, Slice& slice);
@@ -83,6 +83,7 @@ private:
     std::map<Simplex, bool> possible_;  // witnessed at the best level for it
     std::map<Simplex, Levels> levels_;  // as far as they are known
     Pump pump_;
+    std::optional<Levels> halving_;  // between which levels a simplex enters or leaves, while that is looked for
     // Where it is. What is known of a simplex is kept, so that a part of the way that is gone twice costs no search.
     Phase phase_ = Phase::Begin;
     std::vector<Step> vertices_;

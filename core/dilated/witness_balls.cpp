@@ -5,8 +5,9 @@
 
 namespace plateau {
 
-WitnessBalls::WitnessBalls(const KdTree& tree) : tree_(&tree) {
+bool WitnessBalls::prepare(Slice& slice) {
     constexpr double kAboveRounding = 1 + 0x1p-40;
+    const KdTree& tree = *tree_;
     const std::size_t axes = tree.dimension();
     std::vector<double> low(axes), high(axes), center(axes);
     const auto distance_squared = [&](const double* a, const double* b) {
@@ -17,8 +18,10 @@ WitnessBalls::WitnessBalls(const KdTree& tree) : tree_(&tree) {
         }
         return sum;
     };
-    for (std::uint32_t index = 0; index < tree.node_count(); ++index) {
-        const KdTree::Node& node = tree.node(index);
+    while (middle_.size() < tree.node_count()) {
+        if (slice.used_up()) return false;
+        const KdTree::Node& node = tree.node(static_cast<std::uint32_t>(middle_.size()));
+        slice.charge((node.end - node.begin) / 8);
         std::copy_n(tree.point(node.begin), axes, low.begin());
         high = low;
         for (std::uint32_t i = node.begin; i < node.end; ++i) {
@@ -41,6 +44,7 @@ WitnessBalls::WitnessBalls(const KdTree& tree) : tree_(&tree) {
         middle_.push_back(middle);
         radius_.push_back(std::sqrt(farthest) * kAboveRounding);
     }
+    return true;
 }
 
 }  // namespace plateau

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/slice.h"
 #include "cloud/kd_tree.h"
 
 namespace plateau {
@@ -12,8 +13,11 @@ namespace plateau {
 /// the j-th nearest landmark, change by no more than the way between two points.
 class WitnessBalls {
 public:
-    /// `tree` prepared; must outlive this. Cost: O(n log n).
-    explicit WitnessBalls(const KdTree& tree);
+    /// `tree` prepared; must outlive this.
+    explicit WitnessBalls(const KdTree& tree) : tree_(&tree) {}
+
+    /// Looks at further nodes until the slice is used up; true when all are known. Cost of all: O(n log n).
+    bool prepare(Slice& slice);
 
     const KdTree& tree() const { return *tree_; }
     /// Position of the witness in the middle.

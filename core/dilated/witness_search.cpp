@@ -60,6 +60,7 @@ std::optional<Watch> WitnessSearch::look_at(std::span<const Step> simplex, doubl
 std::optional<Watch> WitnessSearch::find(std::span<const Step> simplex, double zeta, const double* hint) {
     simplex_ = simplex;
     cell_.begin(simplex);
+    looked_at_ = 0;
     // Simplices are asked for in turn that share witnesses; that saves the way down the tree.
     bool excluded = false;
     for (std::size_t i = 0; i < std::min(successes_, successful_.size()); ++i) {
@@ -79,12 +80,14 @@ std::optional<Watch> WitnessSearch::descend(double zeta, const double* hint) {
         const std::uint32_t index = pending_.back();
         pending_.pop_back();
         const KdTree::Node& node = tree.node(index);
+        ++looked_at_;
         const double far = zeta + balls_.radius(index);
         if (is_far(balls_.middle(index), far)) continue;
         bool excluded = false;
         if (const auto watch = examine(balls_.middle(index), zeta, far, excluded)) return watch;
         if (excluded) continue;
         if (node.right == 0) {
+            looked_at_ += node.end - node.begin;
             for (WitnessId witness = node.begin; witness < node.end; ++witness) {
                 if (witness == balls_.middle(index) || is_far(witness, zeta)) continue;
                 if (const auto watch = examine(witness, zeta, zeta, excluded)) return watch;

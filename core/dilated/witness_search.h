@@ -23,18 +23,23 @@ struct Watch {
 /// Looks for witnesses of simplices: a descent into the tree that leaves out what provably has none.
 class WitnessSearch {
 public:
-    /// What a search counts as of a Slice: some microseconds.
+    /// What a search counts as of a Slice, at least: some microseconds.
     static constexpr std::uint32_t kUnits = 32;
 
     /// `lists` by a prepared tree; both must outlive this.
     WitnessSearch(const LandmarkLists& lists, const WeightedLandmarks& landmarks)
         : lists_(&lists), landmarks_(&landmarks), balls_(lists.tree()), cell_(landmarks) {}
 
+    /// To be called until it is true, before anything else.
+    bool prepare(Slice& slice) { return balls_.prepare(slice); }
+
     /// A witness at a distance of at most zeta from the cell of the simplex, vertices ascending; nothing if there is
     /// none. `hint`: a point near which to look first.
     std::optional<Watch> find(std::span<const Step> simplex, double zeta, const double* hint);
     /// The same for this witness alone.
     std::optional<Watch> look_at(std::span<const Step> simplex, double zeta, WitnessId witness);
+    /// How many nodes and witnesses the last find() has looked at: what it counts as of a Slice, beside kUnits.
+    std::uint32_t looked_at() const { return looked_at_; }
     /// No landmark farther from the youngest, p, is in a simplex with it that has a witness within zeta.
     double reach(double zeta);
 
@@ -55,6 +60,7 @@ private:
     std::array<WitnessId, 8> successful_{};  // the last witnesses found, for the next simplex may be near
     std::size_t successes_ = 0;
     std::vector<std::uint32_t> pending_;
+    std::uint32_t looked_at_ = 0;
 };
 
 }  // namespace plateau

@@ -1,6 +1,7 @@
 #include "session/session.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <string>
 
@@ -200,7 +201,11 @@ struct MemoryShares {
 
 MemoryShares shares_of(std::uint32_t dimension, Family family) {
     if (family == Family::Witness) return {440, 8, 900};
-    if (family == Family::Dilated) return {460, 0, 14000};
+    if (family == Family::Dilated) {
+        // Between surfaces and what has as many dimensions as fit, which has more simplices a landmark.
+        constexpr std::array<std::uint64_t, kMaxDilatedDimension + 1> kLandmark = {1200, 1200, 1200, 2000, 4700, 9000};
+        return {160, 0, kLandmark[std::min<std::size_t>(dimension, kMaxDilatedDimension)]};
+    }
     if (dimension == 2) return {300, 13, 1300};
     if (family == Family::Delaunay) return {410, 26, 6700};
     return {410, 26, 9000};

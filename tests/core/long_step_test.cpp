@@ -118,8 +118,8 @@ TEST(LongStep, PumpingAndTheDilatedComplexAreCut) {
             }
         } else {
             const std::uint32_t events = cut.timeline().pumps.back().events;
-            // Where a simplex enters or leaves is found by more searches than two of which fit into a part.
-            ASSERT_GE(calls, events) << "step " << progress.steps_done;
+            // Where a simplex enters or leaves is found by 11 searches.
+            ASSERT_GE(calls * kSearches, 11 * events) << "step " << progress.steps_done;
             most_calls = std::max(most_calls, calls);
             most_births = std::max(most_births, born);
             calls = 0;

@@ -102,6 +102,23 @@ TEST(Session, EstimatesTheMemoryThatItHolds) {
     EXPECT_EQ(affordable_landmarks(1000, 3, Family::Auto, 1000), 0u);
 }
 
+TEST(Session, EstimatesTheMemoryOfFamilyDilated) {
+    const std::vector<std::pair<std::string, std::uint32_t>> clouds = {
+        {"circle-noise", 2000}, {"torus", 5000}, {"torus", 20000}, {"clifford", 5000}, {"s3", 5000}, {"s2xs1", 2000},
+    };
+    for (const auto& [name, size] : clouds) {
+        auto session = open(shape(name, size), [](RunOptions& o) { o.family = Family::Dilated; }).value();
+        const std::uint32_t dimension = session.cloud().dimension;
+        for (std::uint32_t steps = 100; steps <= (dimension == 5 ? 100u : 400u); steps *= 2) {
+            const Progress progress = session.run({.steps = steps - session.progress().steps_done});
+            const auto estimate = static_cast<double>(estimated_memory(size, steps, dimension, Family::Dilated) +
+                                                      input_memory(session.cloud()));
+            EXPECT_GT(estimate, 0.65 * static_cast<double>(progress.memory)) << name << " " << size << " " << steps;
+            EXPECT_LT(estimate, 2.2 * static_cast<double>(progress.memory)) << name << " " << size << " " << steps;
+        }
+    }
+}
+
 // On a curve in space D(L) grows with the square of the landmarks, which no estimate by n foresees.
 TEST(Session, StopsWhenTheMemoryIsSpentAndKeepsWhatItComputed) {
     auto session = open(shape("helix", 2000), [](RunOptions& o) { o.memory_limit = 24'100'000; }).value();

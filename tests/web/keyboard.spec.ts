@@ -312,6 +312,7 @@ const KEYS: Readonly<
   Ctrl: { press: 'Control+z', single: false, seen: 'hash' },
   Z: { press: 'Control+z', single: false, seen: 'hash' },
   P: { press: 'p', single: true, seen: 'step' },
+  N: { press: 'n', single: true, seen: 'spoken' },
   G: { press: 'g', single: true, seen: 'gallery' },
   '1': { press: '1', single: true, seen: 'layer-witnesses' },
   '2': { press: '2', single: true, seen: 'layer-landmarks' },
@@ -334,6 +335,7 @@ async function seen(page: Page, what: string): Promise<string> {
     if (element instanceof HTMLDialogElement) return String(element.open);
     if (element instanceof HTMLSelectElement) return element.value;
     if (element instanceof HTMLInputElement && element.type === 'checkbox') return String(element.checked);
+    if (element?.id === 'spoken') return element.textContent;
     return document.querySelector<HTMLElement>('main')?.dataset[key] ?? '';
   }, what);
 }

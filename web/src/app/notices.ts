@@ -54,6 +54,8 @@ export class Notices {
     this.trouble.classList.toggle('error', !asksForColumns);
     this.columns.hidden = !asksForColumns && !asksForDistances;
     this.columnsEntry.hidden = !asksForColumns;
+    if (message !== '' && this.trouble.parentElement !== this.home)
+      this.trouble.scrollIntoView({ block: 'nearest' });
   }
 
   clear(): void {

@@ -50,7 +50,7 @@ export class PlateauWalk {
   /** The next one that is long enough; where it is not computed, the computation is followed to it. */
   nextSignificant(): void {
     const { record, currentStep } = this.screen;
-    if (!record || record.stepCount === 0) return;
+    if (!record) return;
     const behind = this.significant.filter(({ firstStep }) => firstStep <= currentStep);
     this.passed = new Set(behind.map(cardName));
     if (this.look()) return;

@@ -120,6 +120,15 @@ export const SAMPLES: readonly Sample[] = [
     options: { family: 'dilated', ...MANIFOLD },
   },
   {
+    shape: 'hemisphere',
+    label: 'Hemisphere',
+    size: 15000,
+    preview: 900,
+    provenance: 'Even by area; a surface with a border',
+    lookFor: 'A bowl: one piece that has neither a loop nor a void, for its rim is open.',
+    options: { family: 'dilated', ...MANIFOLD },
+  },
+  {
     shape: 'clifford',
     label: 'Clifford torus',
     size: 20000,
@@ -153,6 +162,15 @@ export const SAMPLES: readonly Sample[] = [
     preview: 1200,
     provenance: 'Random; in four dimensions',
     lookFor: 'No loop and no void, but what encloses four dimensions: β₃ is 1.',
+    options: MANIFOLD,
+  },
+  {
+    shape: 's2xs1',
+    label: 'Sphere times circle',
+    size: 30000,
+    preview: 1600,
+    provenance: 'Random; in five dimensions',
+    lookFor: 'A sphere at every point of a circle: a loop, a void, and what both span, β₃.',
     options: MANIFOLD,
   },
   {
