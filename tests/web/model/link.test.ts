@@ -1,4 +1,4 @@
-import { expect, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
 import { fragmentOf, linkedIn, type Linked } from '../../../web/src/model/link.ts';
 import { packed, unpacked } from '../../../web/src/model/packed-points.ts';
 import { commandWords } from '../../../web/src/model/run-words.ts';
@@ -120,4 +120,41 @@ test('what would unpack to far more than a link can mean is refused', async () =
   const bomb = await packed(zeros, 1);
   expect(bomb?.text.length).toBeLessThan(32_768);
   await expect(unpacked(bomb?.text ?? '')).rejects.toThrow(/damaged/);
+});
+
+describe('a link to two runs', () => {
+  const first = {
+    source: { kind: 'sample', shape: 'torus', size: 300 },
+    options: { nu: [1, 6, 6, 4] },
+    step: 40,
+    view: { axis: 'log', pose: [1, 2, 3, 0, 0, 0] },
+  } as const;
+
+  test.each([
+    ['the same points', { source: undefined, options: { nu: [1, 2, 3, 4], first: 7 }, scale: 0.1 + 0.2 }],
+    [
+      'another shape, looked at from elsewhere',
+      {
+        source: { kind: 'sample', shape: 'sphere', size: 50, noise: 0.1 },
+        options: { family: 'delaunay' },
+        scale: -1.25,
+        pose: [3, 2, 1, 0, 0, 0.5],
+      },
+    ],
+    [
+      'points of its own',
+      { source: { kind: 'points', points: '2.x', name: 'mine & yours' }, options: {}, scale: 2 },
+    ],
+  ] as const)('holds both: %s', (_, beside) => {
+    const fragment = fragmentOf({ ...first, beside });
+    expect(linkedIn(`#${fragment}`)).toEqual({ ...first, beside });
+    // The words of the second run are not taken for those of the first.
+    expect(linkedIn(fragmentOf(first))).toEqual(first);
+  });
+
+  test('is refused where the second run makes no sense', () => {
+    expect(() => linkedIn('#v=1&shape=torus&n=300&b.scale=1')).toThrow('cut off');
+    expect(() => linkedIn('#v=1&shape=torus&n=300&b.same=1&b.nu=x')).toThrow('nu=x');
+    expect(linkedIn('#v=1&shape=torus&n=300&b.same=1&b.scale=x')?.beside?.scale).toBe(0);
+  });
 });

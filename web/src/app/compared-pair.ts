@@ -54,7 +54,8 @@ export class ComparedPair implements FilmScreen, TransportActions {
   constructor(
     private readonly page: Page,
     first: ShownRun,
-    second: ShownRun,
+    /** `readMs`: so long its points took to read. */
+    second: ShownRun & { readonly readMs: number },
     view: PairView,
     actions: PairActions,
   ) {
@@ -111,7 +112,7 @@ export class ComparedPair implements FilmScreen, TransportActions {
         (error: unknown) => page.showError(error),
       );
     }, stage.notes);
-    this.notes.begin(second.record, 0);
+    this.notes.begin(second.record, second.readMs);
     showLegend(Math.max(first.record.bettiCount, second.record.bettiCount), parts.film);
     this.deaf = [
       first.feed.alsoTell(this.listener(this.first)),

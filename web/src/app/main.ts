@@ -50,7 +50,10 @@ const compareSheet = new CompareSheet(page, (second) => void comparison.open(sec
 /** What is opened while two runs are compared is the second one. */
 function open(choice: SourceChoice, options: RunOptions): void {
   if (comparison.pair) void comparison.open({ choice, options });
-  else void page.open(choice, options, 'answer');
+  else {
+    comparison.close();
+    void page.open(choice, options, 'answer');
+  }
 }
 
 function openFile(file: File): void {
@@ -83,17 +86,22 @@ sampleSelect.addEventListener('change', () => {
   if (sample) openSample(sample);
 });
 
+/** The file that could not be read, of the page or of the second run. */
+function openFailedWith(columns: readonly number[], options: RunOptions): void {
+  if (!comparison.openRefusedWith(columns, options)) page.openFailedWith(columns, options);
+}
+
 byId('columns-form', HTMLFormElement).addEventListener('submit', (event) => {
   event.preventDefault();
   try {
-    page.openFailedWith(parseList(byId('columns', HTMLInputElement).value, 1, 'Columns'), {});
+    openFailedWith(parseList(byId('columns', HTMLInputElement).value, 1, 'Columns'), {});
   } catch (error) {
     page.showError(error);
   }
 });
 
 byId('open-as-matrix', HTMLButtonElement).addEventListener('click', () =>
-  page.openFailedWith([], { metric: 'matrix' }),
+  openFailedWith([], { metric: 'matrix' }),
 );
 
 byId('dismiss', HTMLButtonElement).addEventListener('click', () => page.dismissError());
