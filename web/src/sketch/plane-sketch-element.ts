@@ -15,7 +15,7 @@ import { readable } from '../model/numbers.ts';
 
 /** What an address or a teacher can set. */
 export const SKETCH_ATTRIBUTES = [
-  ...['landmarks', 'witnesses', 'nu', 'step', 'extra', 'inserted', 'complex', 'show'],
+  ...['landmarks', 'witnesses', 'nu', 'step', 'extra', 'inserted', 'complex', 'show', 'offer'],
 ] as const;
 
 let core: PlaneCore | undefined;
@@ -36,7 +36,7 @@ function planeCore(): PlaneCore {
  * docs/course.md; they follow what the reader does.
  */
 export class PlaneSketchElement extends HTMLElement {
-  static readonly observedAttributes = [...SKETCH_ATTRIBUTES, 'aria-label', 'offer'];
+  static readonly observedAttributes = [...SKETCH_ATTRIBUTES, 'aria-label'];
 
   private readonly parts: SketchParts = createParts(`sketch-${++made}`);
   private readonly computation: Computation;
