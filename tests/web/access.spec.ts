@@ -47,7 +47,7 @@ for (const [device, viewport] of Object.entries(SIZES)) {
       await drop(page, 'wide.csv', '1,0,0,9\n2,1,0,9\n3,1,1,8\n');
       await expect(page.getByLabel('Which columns')).toBeVisible();
       await clean('error and question');
-      for (const key of ['g', '?']) {
+      for (const key of ['g', '?', 'i']) {
         await page.locator('h1').click();
         await page.keyboard.press(key);
         await expect(page.getByRole('dialog')).toBeVisible();

@@ -320,6 +320,7 @@ const KEYS: Readonly<
   X: { press: 'x', single: true, seen: 'section' },
   L: { press: 'l', single: true, seen: 'axis' },
   S: { press: 's', single: true, seen: 'share' },
+  I: { press: 'i', single: true, seen: 'why' },
   '?': { press: '?', single: true, seen: 'help' },
 };
 /** These show in the chooser of the browser and in the picture, and have tests of their own. */

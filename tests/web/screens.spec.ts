@@ -26,6 +26,12 @@ for (const [device, viewport] of Object.entries(SIZES)) {
       await expect(root(page)).toHaveAttribute('data-run-state', 'finished', { timeout: 120_000 });
       await page.locator('.cards button[data-betti="1,2,1"]').first().click();
       await take('torus-plateau');
+      await page.getByRole('button', { name: 'Why?' }).click();
+      await page.getByRole('textbox', { name: 'Landmarks' }).fill('1, 2, 9');
+      await page.keyboard.press('Enter');
+      await expect(page.getByRole('dialog')).toContainText('landmarks 1, 2 and 9');
+      await take('why');
+      await page.keyboard.press('Escape');
       if (device === 'desktop') {
         await page.keyboard.press('x');
         await page.keyboard.press('c');

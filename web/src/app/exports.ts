@@ -1,3 +1,4 @@
+import type { RemoteRun } from '../client/plateau-client.ts';
 import type { ExportFormat } from '../worker/protocol.ts';
 import { diagramSvg } from '../view/diagram-svg.ts';
 import { pngOf } from '../view/diagram-png.ts';
@@ -27,6 +28,11 @@ const CORE_EXPORTS: readonly CoreExport[] = [
   { button: 'export-report', format: 'surface-report', ending: '-surface.json', type: BYTES, ofStep: true },
 ];
 
+function runOf(page: Page): RemoteRun {
+  if (!page.run) throw new Error('There is nothing to save yet.');
+  return page.run;
+}
+
 /** The buttons that save files. */
 export function offerExports(page: Page): void {
   const on = (button: string, save: (stem: string) => Promise<void>): void =>
@@ -39,12 +45,12 @@ export function offerExports(page: Page): void {
   for (const { button, format, ending, type, ofStep } of CORE_EXPORTS) {
     on(button, async (stem) => {
       const step = page.currentStep;
-      const bytes = await page.exportFile(format, ofStep ? step : undefined);
+      const bytes = await runOf(page).exportFile(format, ofStep ? step : undefined);
       saveFile(`${stem}${ofStep ? `-step-${step}` : ''}${ending}`, type, new Uint8Array(bytes));
     });
   }
   on('export-session', async (stem) => {
-    const bytes = await page.exportFile('session', page.currentStep, page.viewState());
+    const bytes = await runOf(page).exportFile('session', page.currentStep, page.viewState());
     saveFile(`${stem}.plateau`, BYTES, new Uint8Array(bytes));
   });
 

@@ -39,8 +39,8 @@ function isText(target: EventTarget | null): boolean {
 /** The page by keyboard: space, arrows (shift: tenfold), Home, End, undo and redo, and the single keys. */
 export function listenToKeys(actions: KeyActions): void {
   document.addEventListener('keydown', (event) => {
-    // An open sheet keeps its keys.
-    if (event.defaultPrevented || event.altKey || document.querySelector('dialog[open]')) return;
+    // A sheet over the page keeps its keys; one beside the shape does not.
+    if (event.defaultPrevented || event.altKey || document.querySelector('dialog:modal')) return;
     const key = event.key.toLowerCase();
     if (event.ctrlKey || event.metaKey) {
       if (isText(event.target) || (key !== 'z' && key !== 'y')) return;

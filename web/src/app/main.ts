@@ -6,6 +6,7 @@ import './page.css';
 import './film-and-cards.css';
 import './tools.css';
 import './sheets.css';
+import './why.css';
 import './phone.css';
 import { byId } from './dom.ts';
 import { parseList } from './entries.ts';
@@ -22,6 +23,7 @@ import { acceptPastes } from './paste.ts';
 import { SAMPLES, type Sample } from './samples.ts';
 import { startFrom } from './source.ts';
 import { explainTerms } from './term-tips.ts';
+import { WhySheet } from './why-sheet.ts';
 
 const page = new Page();
 const fileInput = byId('file', HTMLInputElement);
@@ -73,6 +75,7 @@ offerExports(page);
 const gallery = new Gallery(page.client, openSample);
 const help = new HelpSheet();
 const share = new ShareSheet(page);
+const why = new WhySheet(page);
 closeSheets();
 explainTerms(byId('plateau', HTMLElement));
 byId('open-gallery', HTMLButtonElement).addEventListener('click', () => gallery.open());
@@ -118,6 +121,7 @@ listenToKeys({
     l: turnAxis,
     f: () => page.shape?.fit(),
     s: () => void share.open(),
+    i: () => why.toggle(),
     '?': () => help.open(),
   },
 });

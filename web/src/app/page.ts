@@ -1,3 +1,4 @@
+import type { RemoteRun } from '../client/plateau-client.ts';
 import { History } from '../model/history.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { RunRecord } from '../model/record.ts';
@@ -5,7 +6,7 @@ import { grouped } from '../model/numbers.ts';
 import { stepAt } from '../model/scale-axis.ts';
 import { viewOf, viewText } from '../model/view-state.ts';
 import { DiagramView } from '../view/diagram-view.ts';
-import type { ExportFormat, Failure, RunOptions } from '../worker/protocol.ts';
+import type { Failure, RunOptions } from '../worker/protocol.ts';
 import { Announcer } from './announcer.ts';
 import { CardList } from './card-list.ts';
 import { byId, showLegend } from './dom.ts';
@@ -96,10 +97,9 @@ export class Page {
     return this.choice;
   }
 
-  /** The bytes of a file in the command's format; rejects with a sentence. */
-  async exportFile(format: ExportFormat, step?: number, view?: string): Promise<Uint8Array> {
-    if (!this.feed) throw new Error('There is nothing to save yet.');
-    return this.feed.run.exportFile(format, step, view);
+  /** What is computed; none before the first cloud. */
+  get run(): RemoteRun | undefined {
+    return this.feed?.run;
   }
 
   /** How the run is looked at, as a session keeps it. */

@@ -20,6 +20,8 @@ export class ViewTools {
   private readonly barText = byId('scale-text', HTMLElement);
   private readonly dimensions = new DimensionTools();
   private shape: ShapeView | undefined;
+  /** Called after each drawing: for what lies over the shape. */
+  onDrawn: () => void = () => undefined;
 
   constructor() {
     const form = byId('tools', HTMLFormElement);
@@ -60,6 +62,7 @@ export class ViewTools {
 
   /** Told after each drawing. */
   readonly showScale = (unitsPerPixel: number): void => {
+    this.onDrawn();
     const most = BAR_PIXELS * unitsPerPixel;
     const decade = 10 ** Math.floor(Math.log10(most));
     const length = decade * ([5, 2].find((factor) => factor * decade <= most) ?? 1);

@@ -18,6 +18,7 @@ import { distanceFor, frameTexture, textureRows } from './cloud-frame.ts';
 import { GpuPace } from './gpu-pace.ts';
 import { orbit } from './orbit.ts';
 import { LifespanLayer } from './lifespan-layer.ts';
+import { projectorOf, type Projector } from './projector.ts';
 import { createMaterials, NO_CUT, type SceneMaterials } from './scene-materials.ts';
 
 const FIELD_OF_VIEW = 32;
@@ -305,6 +306,11 @@ export class ShapeView {
     const { target } = this.controls;
     this.camera.position.sub(target).divideScalar(factor).add(target);
     this.controls.update();
+  }
+
+  /** Where points of the cloud are in the picture that was drawn last. */
+  get projector(): Projector | undefined {
+    return this.frame && projectorOf(this.frame, this.materials.shared, this.camera, this.container);
   }
 
   /** Reads the colors of the page again. */
