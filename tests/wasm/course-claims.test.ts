@@ -5,6 +5,7 @@ import { COURSE_PAGES, coursePage } from '../../web/course/pages.ts';
 import { PlateauClient, type RemoteRun } from '../../web/src/client/plateau-client.ts';
 import { shownFamilyName } from '../../web/src/model/record.ts';
 import { InProcessWorker } from '../../web/src/package/in-process.ts';
+import { SETTABLE } from '../../web/src/course/links.ts';
 import { ClientPlaneCore } from '../../web/src/sketch/client-plane-core.ts';
 import { questionOf } from '../../web/src/sketch/computation.ts';
 import type { FarthestOrder, PlanePicture } from '../../web/src/sketch/plane.ts';
@@ -162,6 +163,31 @@ describe('what the course says', () => {
     const number = Number(value);
     const spoken = Number.isInteger(number) ? (WORDS[number] ?? value) : value;
     expect([value, spoken, value.replaceAll(',', ', ')]).toContain(text);
+  });
+
+  test('more generous witnesses let both diagonals in, which the triangulation does not', async () => {
+    const { picture } = await core.sketch('circle');
+    const across = async (delaunay: boolean): Promise<string[]> => {
+      const { edges } = await core.picture({ ...picture.question, nu: [1, 3, 3], delaunay });
+      return edges.map(({ vertices }) => vertices.join()).filter((name) => name === '0,2' || name === '1,3');
+    };
+    expect(await across(true)).toEqual(['0,2']);
+    expect(await across(false)).toEqual(['0,2', '1,3']);
+  });
+
+  test('the links in the teachers’ document set what there is', () => {
+    const text = readFileSync(new URL('../../docs/course.md', import.meta.url), 'utf8');
+    const links = [...text.matchAll(/\/course\/([\w-]+\.html)#([^\s"]+)/g)];
+    expect(links.length).toBeGreaterThanOrEqual(5);
+    for (const [, file = '', fragment = ''] of links) {
+      for (const part of fragment.split('&')) {
+        const [, id = '', name = ''] = /^([\w-]+)\.([\w-]+)=/.exec(part) ?? [];
+        const tag = new RegExp(`<(plane-sketch|plateau-view)[^>]*\\sid="${id}"`).exec(
+          pages.get(file) ?? '',
+        )?.[1];
+        expect(SETTABLE[tag ?? ''], part).toContain(name);
+      }
+    }
   });
 
   test('every task names a figure of its page', () => {

@@ -1,9 +1,10 @@
 import { ATTRIBUTES } from '../embed/settings.ts';
-import { SKETCH_ATTRIBUTES } from '../sketch/plane-sketch-element.ts';
+import { SKETCH_ATTRIBUTES } from '../sketch/sketch-state.ts';
 
 /** What an address may set: nothing that loads from elsewhere. */
 const VIEW_ATTRIBUTES = ATTRIBUTES.filter((name) => name !== 'src' && name !== 'columns');
-const TAGS: Readonly<Record<string, readonly string[]>> = {
+/** By the name of the element. */
+export const SETTABLE: Readonly<Record<string, readonly string[]>> = {
   'plane-sketch': SKETCH_ATTRIBUTES,
   'plateau-view': VIEW_ATTRIBUTES,
 };
@@ -13,7 +14,7 @@ const written = (value: string): string =>
   encodeURIComponent(value.replaceAll(' ', '_')).replaceAll('%2C', ',');
 
 function settable(element: Element): readonly string[] {
-  return TAGS[element.localName] ?? [];
+  return SETTABLE[element.localName] ?? [];
 }
 
 /** As the page has it: what a link need not say. */

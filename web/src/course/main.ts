@@ -11,6 +11,16 @@ import { PLANE_MARKERS } from './plane-markers.ts';
 import { offerTasks } from './tasks.ts';
 import { VIEW_MARKERS } from './view-markers.ts';
 
+/** Some browsers refuse in frames, and none has a clipboard without https: the address bar has it all the same. */
+async function copied(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 /** Under each figure: the address of this page with the figure as it is. */
 function offerLinks(): void {
   for (const element of document.querySelectorAll('plane-sketch, plateau-view')) {
@@ -19,11 +29,9 @@ function offerLinks(): void {
     button.addEventListener('click', () => {
       const address = linkTo(element);
       history.replaceState(null, '', address);
-      navigator.clipboard.writeText(address).then(
-        () => (said.textContent = 'Copied; it is also in the address bar.'),
-        // Some browsers ask, some refuse in frames: the address bar has it all the same.
-        () => (said.textContent = 'It is in the address bar now.'),
-      );
+      void copied(address).then((done) => {
+        said.textContent = done ? 'Copied; it is also in the address bar.' : 'It is in the address bar now.';
+      });
     });
     element.closest('figure')?.append(make('p', { class: 'figure-link' }, button, said));
   }

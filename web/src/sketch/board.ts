@@ -37,6 +37,9 @@ export type Target =
 const MARGIN = 3;
 /** More names would hide the points. */
 const MOST_NAMES = 40;
+/** Of more landmarks than these the points are smaller, or they would hide the edges. */
+const MANY = 24;
+const sizeFor = ({ landmarks }: Scene): number => (landmarks.length > MANY ? 0.6 : 1);
 /** Upwards is more. */
 const up = (y: number): number => BOARD.height - y;
 const path = (points: readonly Point[]): string =>
@@ -129,7 +132,9 @@ export class Board {
       });
     const rings = vertices.flatMap(({ vertices: [index = 0] }) => {
       const place = scene.landmarks[index];
-      return place ? [draw('circle', { cx: place.x, cy: up(place.y), r: 2.4, class: 'vertex' })] : [];
+      return place
+        ? [draw('circle', { cx: place.x, cy: up(place.y), r: 2.4 * sizeFor(scene), class: 'vertex' })]
+        : [];
     });
     return [...shapes(triangles, 'triangle'), ...shapes(edges, 'edge'), ...rings];
   }
@@ -169,7 +174,7 @@ export class Board {
       const glows = kind === 'witness' && lit.includes(index);
       const about = { 'data-hit': kind, 'data-at': index };
       const classes = [kind, ...(chosen ? ['selected'] : []), ...(glows ? ['lit'] : [])].join(' ');
-      const radius = kind === 'landmark' ? 1.7 : glows ? 1.5 : 1;
+      const radius = (kind === 'landmark' ? 1.7 : glows ? 1.5 : 1) * sizeFor(scene);
       parts.push(draw('circle', { cx: x, cy: up(y), r: radius, class: classes, ...about }));
       // Where a witness is a landmark, the landmark is what a press means.
       if (kind === 'landmark' || !landmarks.some((place) => samePlace(place, { x, y })))
@@ -179,15 +184,14 @@ export class Board {
       if (label !== '') parts.push(draw('text', { x: x + 2.2, y: up(y) - 2, class: `${kind}-name` }, label));
     };
     // Where a witness is a landmark there is room for one name.
-    const namesWitness = (place: Point): boolean =>
-      names && witnesses.length <= MOST_NAMES && !landmarks.some((other) => samePlace(other, place));
+    const namesWitness = (place: Point, index: number): boolean =>
+      ((names && witnesses.length <= MOST_NAMES) || lit.includes(index)) &&
+      !landmarks.some((other) => samePlace(other, place));
     const last = extraIn && extra ? landmarks.length - 1 : -1;
     landmarks.forEach((place, i) =>
       point('landmark', place, i, i === last ? 'a' : names ? landmarkName(i) : ''),
     );
-    witnesses.forEach((place, i) =>
-      point('witness', place, i, namesWitness(place) || lit.includes(i) ? witnessName(i) : ''),
-    );
+    witnesses.forEach((place, i) => point('witness', place, i, namesWitness(place, i) ? witnessName(i) : ''));
     if (extra && !extraIn) {
       parts.push(
         draw('circle', { cx: extra.x, cy: up(extra.y), r: 1.7, class: 'extra' }),

@@ -13,11 +13,6 @@ import { Voice } from './voice.ts';
 import { WhyPanel } from './why-panel.ts';
 import { readable } from '../model/numbers.ts';
 
-/** What an address or a teacher can set. */
-export const SKETCH_ATTRIBUTES = [
-  ...['landmarks', 'witnesses', 'nu', 'step', 'extra', 'inserted', 'complex', 'show'],
-] as const;
-
 let core: PlaneCore | undefined;
 let made = 0;
 
@@ -36,7 +31,7 @@ function planeCore(): PlaneCore {
  * docs/course.md; they follow what the reader does.
  */
 export class PlaneSketchElement extends HTMLElement {
-  static readonly observedAttributes = [...SKETCH_ATTRIBUTES, 'aria-label', 'offer'];
+  static readonly observedAttributes = [...states.SKETCH_ATTRIBUTES, 'aria-label'];
 
   private readonly parts: SketchParts = createParts(`sketch-${++made}`);
   private readonly computation: Computation;

@@ -1,5 +1,10 @@
 import { formatPoints, parsePoints, samePlace, type Point } from './points.ts';
 
+/** What an address or a teacher can set. */
+export const SKETCH_ATTRIBUTES: readonly string[] = [
+  ...['landmarks', 'witnesses', 'nu', 'step', 'extra', 'inserted', 'complex', 'show', 'offer'],
+];
+
 export type PointKind = 'landmark' | 'witness';
 
 /** A point of the board by its kind and place in the list, from 0. */
