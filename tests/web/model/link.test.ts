@@ -127,6 +127,7 @@ describe('a link to two runs', () => {
     source: { kind: 'sample', shape: 'torus', size: 300 },
     options: { nu: [1, 6, 6, 4] },
     step: 40,
+    reached: 0,
     view: { axis: 'log', pose: [1, 2, 3, 0, 0, 0] },
   } as const;
 
