@@ -134,6 +134,12 @@ test('without WebGL the page says so, and the rest works', async ({ page }) => {
   await expect(page.getByText('The shape needs WebGL 2')).toBeVisible();
   await page.locator('.cards button[data-betti="1,2,1"]').first().click();
   await expect(page.getByRole('status')).toContainText('β 1, 2, 1');
+  // Two runs are compared by their diagrams and numbers.
+  await page.getByRole('button', { name: 'Compare', exact: true }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Compare', exact: true }).click();
+  await expect(page.getByText('The shape needs WebGL 2').filter({ visible: true })).toHaveCount(2);
+  await expect(page.getByRole('status')).toContainText(/A: step \d+ of 250 .* B: step \d+ of 250/);
+  await expect(page.getByRole('checkbox', { name: 'Turn both' })).toHaveCount(0);
 });
 
 test('more points than the card has room for are computed without a picture', async ({ page }) => {
