@@ -165,6 +165,9 @@ test('pumping is drawn: bars, numbers on the axis, a table, and a warning', asyn
   const numbers = await chart.locator('text').allTextContents();
   expect(numbers.length).toBeGreaterThanOrEqual(5);
   for (const number of numbers) expect(number).toMatch(/^[\d.]+( \+)?$/);
+  await panel.getByRole('button', { name: 'sliver measure' }).hover();
+  await expect(page.getByRole('tooltip')).toContainText('Flat ones, near 0');
+  await page.mouse.move(0, 0);
   await expect(panel.getByText('As a table')).toBeVisible();
   await panel.getByText('As a table').focus();
   await page.keyboard.press('Enter');
