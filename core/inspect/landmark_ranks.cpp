@@ -1,6 +1,7 @@
 #include "inspect/landmark_ranks.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace plateau {

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <vector>
+#include <utility>
 
 #include "base/result.h"
 #include "cloud/kd_tree.h"
