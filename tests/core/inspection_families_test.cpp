@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/random.h"
+#include "cloud/samples.h"
 #include "clouds.h"
 #include "comparison.h"
 #include "inspection_comparison.h"
@@ -214,6 +215,29 @@ TEST(InspectionDilated, AnswersByTheDefinition) {
     }
     EXPECT_GT(asked_in_all, 60);
     EXPECT_EQ(met, (std::set{Verdict::Present, Verdict::NotWitnessed}));
+}
+
+TEST(InspectionDilated, TellsWhenALandmarkIsHidden) {
+    int hidden_later = 0;
+    for (const auto& [shape, size] : {std::pair{"helix", 200u}, {"swiss-roll", 300u}}) {
+        RunOptions options;
+        options.family = Family::Dilated;
+        options.dilated.pumps = true;
+        options.dilated.pump.omega_bar = 0.5;
+        const Session session = finished(sample_shape(shape, {.size = size}).value(), options);
+        for (const HiddenLandmark& hidden : session.timeline().hidden) {
+            const Inspection after = session.inspect(hidden.from, {hidden.landmark}).value();
+            EXPECT_EQ(after.verdict, Verdict::NotWitnessed);
+            EXPECT_EQ(after.sightings.witness_count, 0u);
+            if (hidden.from == hidden.landmark) continue;
+            ++hidden_later;
+            const Inspection before = session.inspect(hidden.from - 1, {hidden.landmark}).value();
+            EXPECT_EQ(before.verdict, Verdict::Present);
+            EXPECT_EQ(before.birth, hidden.landmark);
+            EXPECT_EQ(before.death, hidden.from);
+        }
+    }
+    EXPECT_GT(hidden_later, 0);
 }
 
 TEST(InspectionWords, NameTheReason) {
