@@ -99,6 +99,28 @@ describe('the state of a sketch', () => {
     expect(states.removed(state, { kind: 'landmark', index: 0 }).landmarks).toEqual([{ x: 9, y: 1 }]);
   });
 
+  test('a landmark that is a witness takes it along, unless another one is there', () => {
+    const own = stateOf({ landmarks: '1,1 9,1', witnesses: '5,5 1,1 7,7' });
+    const name = { kind: 'landmark', index: 0 } as const;
+    expect(states.moved(own, name, { x: 2, y: 2 })?.witnesses[1]).toEqual({ x: 2, y: 2 });
+    expect(states.moved(own, name, { x: 7, y: 7 })?.witnesses).toEqual(own.witnesses);
+    expect(states.moved(own, { kind: 'witness', index: 1 }, { x: 2, y: 2 })?.landmarks).toEqual(
+      own.landmarks,
+    );
+  });
+
+  test('keys walk around: landmarks, then witnesses; farthest first witnesses alone', () => {
+    const next = (from?: states.PointName, forward = true, step = 0): states.PointName | undefined =>
+      states.nextPoint({ ...state, step }, from, forward);
+    expect(next()).toEqual({ kind: 'landmark', index: 0 });
+    expect(next({ kind: 'landmark', index: 1 })).toEqual({ kind: 'witness', index: 0 });
+    expect(next({ kind: 'witness', index: 0 })).toEqual({ kind: 'landmark', index: 0 });
+    expect(next(undefined, false)).toEqual({ kind: 'witness', index: 0 });
+    expect(next({ kind: 'landmark', index: 0 }, false)).toEqual({ kind: 'witness', index: 0 });
+    expect(next(undefined, true, 1)).toEqual({ kind: 'witness', index: 0 });
+    expect(states.nextPoint(stateOf({}), undefined, true)).toBeUndefined();
+  });
+
   test('farthest first, the landmarks are the first witnesses of the order; a comes last', () => {
     const film = stateOf({ witnesses: '0,0 5,0 9,0', step: '2' });
     const scale = { order: [2, 0, 1], epsilon: [9, 5, 0] };

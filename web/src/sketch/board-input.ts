@@ -43,6 +43,7 @@ export function listenToPointers(board: Board, actions: BoardActions): void {
     if (!place) return;
     const tool = actions.tool();
     if (target && target.kind !== 'simplex' && tool !== 'ask') {
+      board.hold(event.target);
       actions.select(target);
       held = { from: place, moved: false };
       svg.setPointerCapture(event.pointerId);
@@ -61,7 +62,17 @@ export function listenToPointers(board: Board, actions: BoardActions): void {
     held.moved ||= Math.hypot(place.x - held.from.x, place.y - held.from.y) > STILL;
     if (held.moved) actions.drag(onBoard(place.x, place.y));
   });
+  // A finger on a point moves it; anywhere else it scrolls the page.
+  svg.addEventListener(
+    'touchstart',
+    (event) => {
+      const target = board.targetOf(event);
+      if (target && target.kind !== 'simplex' && actions.tool() !== 'ask') event.preventDefault();
+    },
+    { passive: false },
+  );
   const release = (): void => {
+    board.hold(null);
     if (held?.moved) actions.drop();
     held = undefined;
   };

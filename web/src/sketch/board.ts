@@ -53,6 +53,7 @@ export class Board {
     tabindex: 0,
     role: 'application',
   });
+  private held: EventTarget | null = null;
   private readonly ink = draw('g', { 'aria-hidden': 'true' });
 
   constructor() {
@@ -76,7 +77,13 @@ export class Board {
     parts.push(...this.asked(scene));
     if (picture && layers.has('lists')) parts.push(...this.list(scene, picture));
     parts.push(...this.points(scene));
-    this.ink.replaceChildren(...parts);
+    for (const old of [...this.ink.children]) if (old !== this.held) old.remove();
+    this.ink.append(...parts);
+  }
+
+  /** What a finger has touched stays in the drawing until it is let go: a finger whose target is gone is heard no more. */
+  hold(target: EventTarget | null): void {
+    this.held = target;
   }
 
   /** In units of the board, where the pointer is. */
