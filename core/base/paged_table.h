@@ -7,8 +7,9 @@
 
 namespace plateau {
 
-/// A table that only grows and never moves. A vector of that size would double by copying, which one step of the run
-/// pays for all, and would hold up to twice the memory; here a page is added. Costs one more load an access.
+/// A table that only grows, and beyond its first page never moves. A large vector would double by copying, which one
+/// step of the run pays for all, and would hold up to twice the memory; here a page is added. Costs one more load an
+/// access.
 template <class T>
 class PagedTable {
 public:
@@ -17,7 +18,9 @@ public:
 
     std::size_t size() const { return size_; }
     /// Entries that there is memory for.
-    std::size_t capacity() const { return pages_.size() * kEntriesOfPage; }
+    std::size_t capacity() const {
+        return pages_.empty() ? 0 : (pages_.size() - 1) * kEntriesOfPage + pages_.back().capacity();
+    }
     T& operator[](std::size_t index) { return pages_[index / kEntriesOfPage][index % kEntriesOfPage]; }
     const T& operator[](std::size_t index) const { return pages_[index / kEntriesOfPage][index % kEntriesOfPage]; }
 
@@ -40,7 +43,11 @@ private:
     static constexpr std::size_t kEntriesOfPage = std::bit_floor(kBytesOfPage / sizeof(T));
 
     std::vector<T>& page_at_end() {
-        if (pages_.empty() || pages_.back().size() == kEntriesOfPage) pages_.emplace_back().reserve(kEntriesOfPage);
+        if (pages_.empty()) {
+            pages_.emplace_back();  // doubles like any vector: most runs are small
+        } else if (pages_.back().size() == kEntriesOfPage) {
+            pages_.emplace_back().reserve(kEntriesOfPage);
+        }
         return pages_.back();
     }
 

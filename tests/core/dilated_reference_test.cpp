@@ -175,7 +175,7 @@ TEST_P(DilatedReference, EqualsTheDefinitionAtEveryStep) {
                 cloud, {{order.landmarks.begin(), order.landmarks.begin() + count},
                         {timeline.weights_squared.begin(), timeline.weights_squared.begin() + count},
                         dilation * epsilon,
-                        1e-9 * epsilon});
+                        1e-9 * (epsilon > 0 ? epsilon : timeline.epsilon(1))});
             ++steps;
             if (state.in_doubt) {
                 ++in_doubt;
@@ -190,7 +190,8 @@ TEST_P(DilatedReference, EqualsTheDefinitionAtEveryStep) {
             ASSERT_EQ(std::vector<int>(found.begin(), found.end()), betti) << "step " << step;
         }
     }
-    // With epsilon = 0 every distance to a cell that touches a witness is in doubt.
+    // With epsilon = 0 every distance to a cell that touches a witness is in doubt: its ties are decided by weights
+    // whose effect is as small as rounding.
     EXPECT_LE(in_doubt, 2 + steps / 10) << "of " << steps;
 }
 

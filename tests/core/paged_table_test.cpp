@@ -49,14 +49,27 @@ TEST(PagedTable, HoldsWhatAVectorHolds) {
     expect_as_a_vector<Wide>({}, {{{1}}, {{2, 3}}}, 3);
 }
 
-TEST(PagedTable, NothingMovesWhenItGrows) {
+TEST(PagedTable, NothingMovesBeyondTheFirstPage) {
     PagedTable<Wide> table;
-    table.push_back({{1}});
+    table.grow(20'000);
+    table[0] = table[19'999] = {{1}};
     const Wide* const first = &table[0];
+    const Wide* const last = &table[19'999];
     table.grow(1'000'000);
     EXPECT_EQ(&table[0], first);
-    EXPECT_EQ(table[0].entries[0], 1u);
+    EXPECT_EQ(&table[19'999], last);
+    EXPECT_EQ(*first, Wide{{1}});
+    EXPECT_EQ(*last, Wide{{1}});
     EXPECT_EQ(table[999'999], Wide{});
+}
+
+TEST(PagedTable, HoldsLittleWhileItIsSmall) {
+    PagedTable<Wide> table;
+    EXPECT_EQ(table.capacity(), 0u);
+    table.push_back({});
+    EXPECT_LT(table.capacity(), 10u);
+    table.grow(100'000);
+    EXPECT_LT(table.capacity(), 110'000u);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
+import { DataTexture, FloatType, NearestFilter, RGBAFormat, Vector3, type PerspectiveCamera } from 'three';
 import { FRAME_WIDTH } from '../worker/frame.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
 
@@ -17,7 +17,7 @@ export function frameTexture(positions: Float32Array): DataTexture {
 type Triple = readonly [number, number, number];
 
 /** From how far along `direction` all points are seen under at most the given slopes across and upright. */
-export function distanceFor(
+function distanceFor(
   { outline }: CloudFrame,
   direction: Triple,
   across: Triple,
@@ -37,4 +37,22 @@ export function distanceFor(
     if (needed > distance) distance = needed;
   }
   return distance;
+}
+
+/**
+ * From how far, along the direction, all points fill the part `fill` of what the camera sees; `fieldOfView` upright, in
+ * degrees.
+ */
+export function fittingDistance(
+  frame: CloudFrame,
+  camera: PerspectiveCamera,
+  direction: Vector3,
+  fieldOfView: number,
+  fill: number,
+): number {
+  const across = new Vector3().crossVectors(camera.up, direction).normalize();
+  const upright = new Vector3().crossVectors(direction, across);
+  const tallest = Math.tan((fieldOfView / 2) * (Math.PI / 180)) * fill;
+  const widest = tallest * camera.aspect;
+  return distanceFor(frame, direction.toArray(), across.toArray(), upright.toArray(), widest, tallest);
 }

@@ -14,7 +14,7 @@ import { FIRST_AXES, rowsOf } from '../model/dimensions.ts';
 import type { RunRecord } from '../model/record.ts';
 import { FRAME_WIDTH } from '../worker/frame.ts';
 import type { CloudFrame } from '../worker/protocol.ts';
-import { distanceFor, frameTexture, textureRows } from './cloud-frame.ts';
+import { fittingDistance, frameTexture, textureRows } from './cloud-frame.ts';
 import { GpuPace } from './gpu-pace.ts';
 import { orbit } from './orbit.ts';
 import { LifespanLayer } from './lifespan-layer.ts';
@@ -360,19 +360,12 @@ export class ShapeView {
 
   private lookFrom(direction: Vector3): void {
     this.controls.target.set(0, 0, 0);
-    this.camera.position.copy(direction.clone().multiplyScalar(this.fittingDistance(direction)));
+    const distance = this.frame
+      ? fittingDistance(this.frame, this.camera, direction, FIELD_OF_VIEW, FILL)
+      : 1;
+    this.camera.position.copy(direction.clone().multiplyScalar(distance));
     this.controls.update();
     this.requestRender();
-  }
-
-  /** From how far, along the direction, all points are in sight. */
-  private fittingDistance(direction: Vector3): number {
-    const across = new Vector3().crossVectors(this.camera.up, direction).normalize();
-    const upright = new Vector3().crossVectors(direction, across);
-    const tallest = Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180)) * FILL;
-    const widest = tallest * this.camera.aspect;
-    if (!this.frame) return 1;
-    return distanceFor(this.frame, direction.toArray(), across.toArray(), upright.toArray(), widest, tallest);
   }
 
   private clear(): void {
