@@ -15,6 +15,8 @@ describe('words', () => {
     ['surface', [2, 2, 2], '2 closed surfaces, 1 handle in all'],
     ['delaunay', [1, 1, 0], 'closed curve'],
     ['delaunay', [1, 1], 'closed curve'],
+    ['dilated', [1, 1, 0], 'circle-like shape'],
+    ['dilated', [1, 1, 1], 'hollow shape with 1 void'],
     ['delaunay', [2, 2], '2 closed curves'],
     ['delaunay', [1, 0, 0], 'one piece without holes'],
     ['delaunay', [1, 3, 0], 'one piece with 3 loops'],

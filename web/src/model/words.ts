@@ -90,7 +90,10 @@ export function shapeInWords(
   const [components = 0, loops = 0] = betti;
   const known = torsion && withTorsion(betti, torsion);
   if (known) return known;
-  return family === 'surface' ? closedSurface(components, loops) : complexIn(betti);
+  if (family === 'surface') return closedSurface(components, loops);
+  // Dilated witnesses show bands as well as curves, and one loop is all that Betti numbers see of either.
+  if (family === 'dilated' && /^1,1(,0)*$/.test(betti.join())) return 'circle-like shape';
+  return complexIn(betti);
 }
 
 /** "ε 0.43 → 0.16". */
