@@ -55,6 +55,10 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 900,
-    rolldownOptions: { input: pages.map((page) => `${root}${page}.html`) },
+    rolldownOptions: {
+      input: pages.map((page) => `${root}${page}.html`),
+      // By itself, so that its name does not depend on which module happens to use it first.
+      output: { codeSplitting: { groups: [{ name: 'three', test: /node_modules[\\/]three[\\/]/ }] } },
+    },
   },
 });

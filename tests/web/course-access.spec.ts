@@ -76,7 +76,7 @@ test('a page of the course downloads little beyond the core, the next one next t
   page,
 }) => {
   /** The module, its worker, and what figures in space are made of: the page of Plateau has them, too. */
-  const core = /\.wasm$|\/assets\/(transport|views)-[\w-]+\.js$/;
+  const core = /\.wasm$|\/assets\/(three|views)-[\w-]+\.js$/;
   const load = async (file: string): Promise<number> => {
     const sizes: { url: string; size: Promise<number> }[] = [];
     page.on('requestfinished', (request) => {

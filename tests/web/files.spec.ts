@@ -71,14 +71,14 @@ test('family, ν and first landmark make a new run; what makes no sense is told'
     hashes.add(await state(page, 'hash'));
   };
   await page.getByText('Settings', { exact: true }).click();
-  await page.getByLabel('Family').selectOption('delaunay');
+  await page.locator('#family').selectOption('delaunay');
   await changed();
   await expect(page.getByRole('textbox', { name: 'ν' })).toHaveAttribute('placeholder', '1, 6, 6, 4');
   await page.getByRole('textbox', { name: 'ν' }).fill('1, 3, 4, 4');
   await page.getByRole('textbox', { name: 'ν' }).press('Enter');
   await changed();
-  await page.getByLabel('First landmark').fill('17');
-  await page.getByLabel('First landmark').press('Enter');
+  await page.locator('#first').fill('17');
+  await page.locator('#first').press('Enter');
   await changed();
   await page.getByRole('textbox', { name: 'ν' }).fill('one');
   await page.getByRole('textbox', { name: 'ν' }).press('Enter');
