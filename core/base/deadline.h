@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 
 namespace plateau {
 
@@ -9,6 +10,7 @@ class Deadline {
 public:
     /// `milliseconds` from now; infinity never passes.
     explicit Deadline(double milliseconds) : budget_ms_(milliseconds) {}
+    static Deadline never() { return Deadline(std::numeric_limits<double>::infinity()); }
     bool passed() const { return elapsed_ms() >= budget_ms_; }
     double elapsed_ms() const {
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();

@@ -1,22 +1,13 @@
 #include "inspect/landmark_ranks.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace plateau {
 
-namespace {
-
-Deadline without_end() {
-    return Deadline(std::numeric_limits<double>::infinity());
-}
-
-}  // namespace
-
 TreeRanks::TreeRanks(const PointCloud& witnesses, const PointCloud& landmarks)
     : witnesses_(&witnesses), landmarks_(&landmarks), tree_(landmarks) {
-    tree_.prepare(without_end());
+    tree_.prepare(Deadline::never());
 }
 
 TreeRanks::Farthest TreeRanks::farthest(std::uint32_t witness, std::span<const Step> simplex) const {
@@ -74,7 +65,7 @@ Result<ListRanks> ListRanks::of(const PointCloud& cloud, const MetricOptions& me
                                 std::span<const std::uint32_t> landmarks) {
     const std::uint32_t horizon = std::min(kHorizon, static_cast<std::uint32_t>(landmarks.size()));
     LandmarkLists lists(make_distance_rows(cloud, metric), cloud.size(), horizon);
-    lists.prepare(without_end());
+    lists.prepare(Deadline::never());
     if (auto failure = lists.failure()) return std::move(*failure);
     for (std::uint32_t i = 0; i < landmarks.size(); ++i) lists.insert(landmarks[i], i + 1);
     return ListRanks(std::move(lists), horizon);

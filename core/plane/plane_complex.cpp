@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -99,7 +98,7 @@ std::optional<Error> PlaneComplex::insert_landmarks() {
     const std::uint32_t kappa = std::max(largest_nu, kShortestList);
     list_length_ = std::min(landmarks, kappa);
     LandmarkLists lists(std::make_unique<PlaneRows>(*scene_), witnesses, kappa);
-    lists.prepare(Deadline(std::numeric_limits<double>::infinity()));
+    lists.prepare(Deadline::never());
     Delaunay delaunay(2);
     NuComplex complex({scene_->nu}, 2, witnesses);
     std::vector<SimplexTable> tables(2);

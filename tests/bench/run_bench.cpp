@@ -32,7 +32,7 @@ enum class Depth { Lists = 1, Delaunay = 2, Complex = 3 };
 Order run_rooms(const PointCloud& cloud, Depth depth) {
     Order order;
     LandmarkLists lists(cloud, 6);
-    lists.prepare(Deadline(1e300));
+    lists.prepare(Deadline::never());
     Delaunay delaunay(cloud.dimension);
     NuComplex complex({{1, 6, 6, 4}}, 3, cloud.size());
     std::vector<SimplexTable> tables(3);

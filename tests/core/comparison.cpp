@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <ostream>
 #include <set>
 #include <utility>
 
@@ -172,6 +173,26 @@ Family family_of(ShownFamily family) {
 std::string name_of(ShownFamily family) {
     const char* const names[] = {"witness", "delaunay", "surface", "auto"};
     return names[static_cast<std::size_t>(family)];
+}
+
+std::ostream& operator<<(std::ostream& out, const FamilyCase& value) {
+    return out << value.cloud.name << ", " << name_of(value.family);
+}
+
+std::string name_of(const FamilyCase& value) {
+    return value.cloud.name + "_" + name_of(value.family);
+}
+
+std::vector<FamilyCase> family_cases() {
+    std::vector<FamilyCase> cases;
+    for (const TestCloud& cloud : test_clouds()) {
+        cases.push_back({cloud, ShownFamily::Witness});
+        cases.push_back({cloud, ShownFamily::Delaunay});
+        if (cloud.cloud.dimension == 2) continue;
+        cases.push_back({cloud, ShownFamily::Surface});
+        cases.push_back({cloud, ShownFamily::Auto});
+    }
+    return cases;
 }
 
 std::string run_difference(const PointCloud& cloud, Reference& expected, const Settings& settings, int first,

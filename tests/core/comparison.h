@@ -1,9 +1,12 @@
 #pragma once
 
+#include <iosfwd>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "cloud/point_cloud.h"
+#include "clouds.h"
 #include "reference/run.h"
 #include "timeline/timeline.h"
 
@@ -18,6 +21,18 @@ std::string run_difference(const PointCloud& cloud, reference::Reference& expect
 
 Family family_of(reference::ShownFamily family);
 std::string name_of(reference::ShownFamily family);
+
+/// A test cloud and a family that it can be followed with.
+struct FamilyCase {
+    TestCloud cloud;
+    reference::ShownFamily family;
+};
+
+std::ostream& operator<<(std::ostream& out, const FamilyCase& value);
+/// For the names of tests.
+std::string name_of(const FamilyCase& value);
+/// Every test cloud with every family that it can be followed with.
+std::vector<FamilyCase> family_cases();
 
 /// Numbers in parentheses, for messages.
 template <class Numbers>

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 #include <set>
 #include <string>
 
@@ -61,28 +60,7 @@ bool has(const Complex& complex, const Simplex& simplex) {
     return complex[simplex.size() - 1].count(simplex) > 0;
 }
 
-struct Case {
-    TestCloud cloud;
-    ShownFamily family;
-};
-
-std::ostream& operator<<(std::ostream& out, const Case& value) {
-    return out << value.cloud.name << ", " << name_of(value.family);
-}
-
-std::vector<Case> all_cases() {
-    std::vector<Case> cases;
-    for (const TestCloud& cloud : test_clouds()) {
-        cases.push_back({cloud, ShownFamily::Witness});
-        cases.push_back({cloud, ShownFamily::Delaunay});
-        if (cloud.cloud.dimension == 2) continue;
-        cases.push_back({cloud, ShownFamily::Surface});
-        cases.push_back({cloud, ShownFamily::Auto});
-    }
-    return cases;
-}
-
-class InspectionReference : public testing::TestWithParam<Case> {};
+class InspectionReference : public testing::TestWithParam<FamilyCase> {};
 
 SurfacePlace place_by_definition(const Complex& complex, const StepState& state, const Settings& settings,
                                  const reference::ExactPoints& points, const Simplex& simplex) {
@@ -167,12 +145,11 @@ TEST_P(InspectionReference, AnswersByTheDefinition) {
     EXPECT_EQ(session.hash(), hash);
 }
 
-INSTANTIATE_TEST_SUITE_P(Clouds, InspectionReference, testing::ValuesIn(all_cases()), [](const auto& instance) {
-    return instance.param.cloud.name + "_" + name_of(instance.param.family);
-});
+INSTANTIATE_TEST_SUITE_P(Clouds, InspectionReference, testing::ValuesIn(family_cases()),
+                         [](const auto& instance) { return name_of(instance.param); });
 
 TEST(InspectionReferenceSize, AsksAThousandQuestions) {
-    EXPECT_GE(all_cases().size() * kQuestions, 1000u);
+    EXPECT_GE(family_cases().size() * kQuestions, 1000u);
 }
 
 // Every place with respect to the surface is met: of all simplices at some steps of clouds that have them.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -26,7 +25,7 @@ namespace {
 
 using namespace reference;
 
-const Deadline kNoDeadline(std::numeric_limits<double>::infinity());
+const Deadline kNoDeadline = Deadline::never();
 
 PointCloud uniform(std::uint32_t dimension, std::uint32_t size, std::uint64_t seed) {
     Random random(seed);

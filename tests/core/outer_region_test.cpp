@@ -48,7 +48,7 @@ struct Flips {
 void expect_flooded_at_every_step(const PointCloud& cloud, const std::vector<std::uint32_t>& nu, Step landmark_count,
                                   Flips& flips) {
     LandmarkLists lists(cloud, 6);
-    while (!lists.prepare(Deadline(1e300))) continue;
+    while (!lists.prepare(Deadline::never())) continue;
     Delaunay delaunay(3);
     NuComplex complex({nu}, 3, cloud.size());
     std::vector<SimplexTable> tables(3);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ostream>
 #include <set>
 
 #include "clouds.h"
@@ -17,28 +16,7 @@ using reference::Reference;
 using reference::Settings;
 using reference::ShownFamily;
 
-struct Case {
-    TestCloud cloud;
-    ShownFamily family;
-};
-
-std::ostream& operator<<(std::ostream& out, const Case& value) {
-    return out << value.cloud.name << ", " << name_of(value.family);
-}
-
-std::vector<Case> all_cases() {
-    std::vector<Case> cases;
-    for (const TestCloud& cloud : test_clouds()) {
-        cases.push_back({cloud, ShownFamily::Witness});
-        cases.push_back({cloud, ShownFamily::Delaunay});
-        if (cloud.cloud.dimension == 2) continue;
-        cases.push_back({cloud, ShownFamily::Surface});
-        cases.push_back({cloud, ShownFamily::Auto});
-    }
-    return cases;
-}
-
-class SessionReference : public testing::TestWithParam<Case> {};
+class SessionReference : public testing::TestWithParam<FamilyCase> {};
 
 TEST_P(SessionReference, AgreesAtEveryStep) {
     const auto& [cloud, family] = GetParam();
@@ -55,9 +33,8 @@ TEST_P(SessionReference, AgreesAtEveryStep) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Clouds, SessionReference, testing::ValuesIn(all_cases()), [](const auto& instance) {
-    return instance.param.cloud.name + "_" + name_of(instance.param.family);
-});
+INSTANTIATE_TEST_SUITE_P(Clouds, SessionReference, testing::ValuesIn(family_cases()),
+                         [](const auto& instance) { return name_of(instance.param); });
 
 TEST(SessionReferenceOptions, DefaultsAreThoseOfTheFamilies) {
     for (const char* name : {"plane_uniform", "torus"}) {

@@ -1,12 +1,10 @@
 // Two runs side by side under one playhead.
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import type { Browser, Locator, Page } from '@playwright/test';
-import { drop, expect, openPaused, root, state, test, torusText } from './page.ts';
+import { complaints } from './axe.ts';
+import { drop, expect, inFreshProfile, linkOf, openPaused, root, state, test, torusText } from './page.ts';
 
 test.use({ viewport: { width: 1000, height: 700 } });
-
-const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 const run = (page: Page, letter: 'A' | 'B'): Locator => page.getByRole('group', { name: `Run ${letter}` });
 const film = (page: Page): Locator => page.locator('#compared-film');
@@ -231,16 +229,8 @@ test('another first landmark; a dropped file; the page comes back with nothing l
   await expect(root(page)).toHaveAttribute('data-steps', '200');
 });
 
-async function linkOf(page: Page): Promise<string> {
-  await page.getByRole('button', { name: 'Share' }).click();
-  await expect(page.getByRole('dialog', { name: 'Share' })).toBeVisible();
-  return page.getByRole('textbox', { name: 'Link' }).inputValue();
-}
-
 async function opened(browser: Browser, link: string): Promise<Page> {
-  const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
-  const page = await context.newPage();
-  await page.goto(link);
+  const page = await inFreshProfile(browser, link);
   await complete(page);
   return page;
 }
@@ -359,7 +349,7 @@ async function hatching(page: Page, letter: 'A' | 'B'): Promise<number> {
 }
 
 test('what is not computed yet is hatched on both; what has ended is not', async ({ page }) => {
-  await page.goto('./?sample=tanglecube&n=30000');
+  await page.goto('./?sample=torus&n=60000');
   await expect.poll(async () => Number(await state(page, 'steps'))).toBeGreaterThan(100);
   await page.getByRole('button', { name: 'Compare', exact: true }).click();
   await page.getByRole('dialog').getByRole('button', { name: 'Compare', exact: true }).click();
@@ -389,29 +379,22 @@ test('both runs share the memory: where none is left, a sentence says so', async
   await expect(page.locator('#open-compare')).not.toHaveAttribute('aria-busy');
 });
 
-/** What axe finds, best practices included. */
-async function complaints(page: Page): Promise<string[]> {
-  await page.evaluate(AXE);
-  return page.evaluate(async () => {
-    const { axe } = window as unknown as {
-      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-    };
-    const { violations } = await axe.run();
-    return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
-  });
-}
-
 const SIZES = {
   desktop: { width: 1280, height: 800 },
   narrow: { width: 760, height: 560 },
   phone: { width: 390, height: 844 },
 } as const;
+const DEVICES = ['desktop', 'narrow', 'phone'] as const;
+const FULL = process.env['PLATEAU_FULL'] === '1';
+
+/** `npm run test:full` goes through all of them. */
+const QUICKLY = { light: ['desktop', 'phone'], dark: ['narrow'] } as const;
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, and pictures to look at: ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
-    for (const [device, viewport] of Object.entries(SIZES)) {
-      await page.setViewportSize(viewport);
+    for (const device of FULL ? DEVICES : QUICKLY[colorScheme]) {
+      await page.setViewportSize(SIZES[device]);
       await openPaused(page, 'torus', 250);
       await page.locator('.cards button[data-betti="1,2,1"]').first().click();
       await page.getByRole('button', { name: 'Compare', exact: true }).click();

@@ -1,28 +1,13 @@
 // What every page of the course owes to all readers: no complaints of axe, a small download, paper.
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import type { Page } from '@playwright/test';
-import { COURSE_PAGES } from '../../web/course/pages.ts';
+import { COURSE_FILES } from '../../web/course/pages.ts';
+import { complaints } from './axe.ts';
 import { expect, test } from './page.ts';
 
-const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const FILES = ['index', 'sketch', ...COURSE_PAGES.map(({ file }) => file)];
 const SIZES = { desktop: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } } as const;
 /** `npm run test:full` takes pictures of all pages, for people to look at. */
 const FULL = process.env['PLATEAU_FULL'] !== undefined;
 const FOLDER = 'build/screens';
-
-async function complaints(page: Page): Promise<string[]> {
-  // Through the debugger: the policy of the page allows no script of others.
-  await page.evaluate(AXE);
-  return page.evaluate(async () => {
-    const { axe } = window as unknown as {
-      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-    };
-    const { violations } = await axe.run();
-    return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
-  });
-}
 
 async function ready(page: Page, file: string): Promise<void> {
   await page.goto(`./course/${file}.html`);
@@ -47,7 +32,7 @@ async function unfold(page: Page): Promise<void> {
   await expect(sketch.getByRole('status').first()).not.toBeEmpty();
 }
 
-for (const file of FILES) {
+for (const file of COURSE_FILES) {
   test(`axe finds nothing, large and light or small and dark: ${file}`, async ({ page }) => {
     await page.setViewportSize(SIZES.desktop);
     await ready(page, file);

@@ -1,6 +1,6 @@
 // The course as a reader without a mouse meets it: every task, right and wrong; figures, links, frames.
 import type { Locator, Page } from '@playwright/test';
-import { COURSE_PAGES } from '../../web/course/pages.ts';
+import { COURSE_FILES, COURSE_PAGES } from '../../web/course/pages.ts';
 import type { PlateauViewElement } from '../../web/src/embed/plateau-view-element.ts';
 import { ForeignServer } from './foreign-page.ts';
 import { expect, test } from './page.ts';
@@ -367,7 +367,7 @@ test('from page to page: every link of the course leads somewhere', async ({ pag
   await page.goto('./course/');
   await expect(page.locator('.contents a')).toHaveCount(COURSE_PAGES.length);
   const seen = new Set<string>();
-  for (const file of ['index', 'sketch', ...COURSE_PAGES.map(({ file: name }) => name)]) {
+  for (const file of COURSE_FILES) {
     const html = await (await request.get(`./course/${file}.html`)).text();
     for (const [, href = ''] of html.matchAll(/<a[^>]*\shref="([^"#]+)"/g))
       if (!href.startsWith('https://')) seen.add(href);

@@ -1,4 +1,4 @@
-import { expect, test as base, type Locator, type Page } from '@playwright/test';
+import { expect, test as base, type Browser, type Locator, type Page } from '@playwright/test';
 
 /** Every test fails on an error that the page did not mean: console, uncaught, or against the policy. */
 export const test = base.extend<{ quiet: void }>({
@@ -83,4 +83,19 @@ export async function drop(page: Page, name: string, content: string | Uint8Arra
     { fileName: name, bytes: [...Buffer.from(content)] },
   );
   await page.dispatchEvent('body', 'drop', { dataTransfer });
+}
+
+/** The link that the page offers for what it shows. */
+export async function linkOf(page: Page): Promise<string> {
+  await page.getByRole('button', { name: 'Share' }).click();
+  await expect(page.getByRole('dialog', { name: 'Share' })).toBeVisible();
+  return page.getByRole('textbox', { name: 'Link' }).inputValue();
+}
+
+/** The link in a browser that has never been here. */
+export async function inFreshProfile(browser: Browser, link: string): Promise<Page> {
+  const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
+  const page = await context.newPage();
+  await page.goto(link);
+  return page;
 }

@@ -1,6 +1,5 @@
 import type { Page } from '@playwright/test';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { complaints } from './axe.ts';
 import { expect, openPaused, openSample, root, state, test } from './page.ts';
 
 declare global {
@@ -174,26 +173,15 @@ for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing to complain about: ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await openPaused(page, 'torus', 120);
-    const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-    // Through the debugger: the policy of the page allows no script of others.
-    await page.evaluate(axe);
-    const complaints = (): Promise<string[]> =>
-      page.evaluate(async () => {
-        const { axe: checker } = window as unknown as {
-          axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-        };
-        const report = await checker.run();
-        return report.violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`);
-      });
-    expect(await complaints()).toEqual([]);
+    expect(await complaints(page)).toEqual([]);
     await page.getByText('Settings', { exact: true }).click();
     await page.keyboard.press('x');
     await page.keyboard.press('c');
-    expect(await complaints()).toEqual([]);
+    expect(await complaints(page)).toEqual([]);
     for (const key of ['g', '?']) {
       await page.keyboard.press(key);
       await expect(page.getByRole('dialog')).toBeVisible();
-      expect(await complaints()).toEqual([]);
+      expect(await complaints(page)).toEqual([]);
       await page.keyboard.press('Escape');
     }
   });

@@ -3,15 +3,17 @@ import { SAMPLES } from '../../web/src/app/samples.ts';
 import { drop, expect, root, test } from './page.ts';
 import { torusFile } from './scan-files.ts';
 
-/** Pictures of every state a visitor meets, for people to look at: build/screens. */
+/** Pictures of every state a visitor meets, for people to look at: build/screens. `npm run test:full` takes them all. */
 const FOLDER = 'build/screens';
+const FULL = process.env['PLATEAU_FULL'] === '1';
 const SIZES = {
   desktop: { width: 1280, height: 800 },
   phone: { width: 390, height: 844 },
 } as const;
 
 for (const [device, viewport] of Object.entries(SIZES)) {
-  for (const colorScheme of ['light', 'dark'] as const) {
+  const quickly = device === 'desktop' ? 'light' : 'dark';
+  for (const colorScheme of FULL ? (['light', 'dark'] as const) : ([quickly] as const)) {
     test(`screens: ${device}, ${colorScheme}`, async ({ page }) => {
       test.setTimeout(180_000);
       await page.setViewportSize(viewport);
@@ -68,14 +70,13 @@ for (const [device, viewport] of Object.entries(SIZES)) {
   }
 }
 
-/** The state of a scan: while it runs, and where it has ended. The largest size is for the full tests. */
-const SCAN = process.env['PLATEAU_FULL'] === '1' ? 100_000 : 20_000;
-for (const [device, viewport] of Object.entries(SIZES)) {
+/** The state of a scan: while it runs, and where it has ended. */
+for (const [device, viewport] of FULL ? Object.entries(SIZES) : []) {
   test(`screens of a scan: ${device}`, async ({ page }) => {
     test.setTimeout(1_800_000);
     await page.setViewportSize(viewport);
     await page.goto('./?sample=none');
-    await page.getByLabel('Open point cloud').setInputFiles(torusFile(SCAN));
+    await page.getByLabel('Open point cloud').setInputFiles(torusFile(100_000));
     const take = async (name: string): Promise<void> => {
       for (const colorScheme of ['light', 'dark'] as const) {
         await page.emulateMedia({ colorScheme });

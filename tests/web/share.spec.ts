@@ -4,27 +4,12 @@ import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import type { Browser, Page } from '@playwright/test';
-import { drop, expect, openPaused, shown, state, test, torusText } from './page.ts';
+import { drop, expect, inFreshProfile, linkOf, openPaused, shown, state, test, torusText } from './page.ts';
 
 const bin = fileURLToPath(new URL('../../build/native/bin', import.meta.url));
 
 function hashOf(printed: string): string {
   return /^hash ([0-9a-f]{16})$/m.exec(printed)?.[1] ?? printed;
-}
-
-async function linkOf(page: Page): Promise<string> {
-  await page.getByRole('button', { name: 'Share' }).click();
-  await expect(page.getByRole('dialog', { name: 'Share' })).toBeVisible();
-  return page.getByRole('textbox', { name: 'Link' }).inputValue();
-}
-
-/** The link in a fresh profile. */
-async function opened(browser: Browser, link: string): Promise<Page> {
-  const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
-  const page = await context.newPage();
-  await page.goto(link);
-  return page;
 }
 
 test('a shape: link and command give the same hash, the link the same step and view', async ({
@@ -50,7 +35,7 @@ test('a shape: link and command give the same hash, the link the same step and v
   });
   expect(hashOf(printed)).toBe(hash);
 
-  const other = await opened(browser, link);
+  const other = await inFreshProfile(browser, link);
   await shown(other, 'torus');
   expect(await state(other, 'hash')).toBe(hash);
   expect(await state(other, 'step')).toBe('77');
@@ -70,7 +55,7 @@ test('dropped points travel in the link, rounded, and it says so', async ({ page
   await expect(page.getByText(/400 points travel inside it, rounded to steps of [\d.]+/)).toBeVisible();
   expect(link.length).toBeLessThan(32_768);
 
-  const other = await opened(browser, link);
+  const other = await inFreshProfile(browser, link);
   await shown(other, 'mine.csv');
   const hash = await state(other, 'hash');
   expect(hash).not.toBe(await state(page, 'hash'));
@@ -100,10 +85,10 @@ test('too many points are a session; a link that was cut off is a sentence', asy
 
   const base = new URL(page.url());
   base.search = '';
-  const broken = await opened(browser, `${base.href}#v=1&name=mine&points=3.-14.0.0.0.AAAA`);
+  const broken = await inFreshProfile(browser, `${base.href}#v=1&name=mine&points=3.-14.0.0.0.AAAA`);
   await expect(broken.getByRole('alert')).toContainText('damaged');
   await expect(broken.locator('main')).toHaveAttribute('data-run-state', 'empty');
-  const odd = await opened(browser, `${base.href}#v=1&shape=torus&n=100&field=6`);
+  const odd = await inFreshProfile(browser, `${base.href}#v=1&shape=torus&n=100&field=6`);
   await expect(odd.getByRole('alert')).toContainText('prime');
   await broken.context().close();
   await odd.context().close();

@@ -53,12 +53,13 @@ test('the answer follows the playhead and the run', async ({ page }) => {
   await expect(sheet(page)).toBeHidden();
 });
 
-/** Where the newest landmark and its edges are: the rings that the sheet draws. */
-async function ringOf(page: Page, simplex: string): Promise<{ x: number; y: number }> {
-  await landmarks(page).fill(simplex);
+/** Where a landmark is: in the ring that the sheet draws around it. */
+async function ringOf(page: Page, landmark: number): Promise<{ x: number; y: number }> {
+  await landmarks(page).fill(String(landmark));
   await landmarks(page).press('Enter');
-  await expect(sheet(page)).toContainText(simplex.split(',').at(-1)?.trim() ?? '');
-  const ring = marks(page, 'asked').first();
+  await expect(sheet(page)).toContainText(`Landmark ${landmark} is`);
+  const ring = marks(page, 'asked');
+  await expect(ring).toBeVisible();
   const box = await ring.boundingBox();
   if (!box) throw new Error('no ring');
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
@@ -69,8 +70,8 @@ test('by mouse: a landmark, another one with shift, nothing beside the shape', a
   await openPaused(page, 'circle-noise', 150);
   await toStep(page, 30);
   await page.getByRole('button', { name: 'Why?' }).click();
-  const seven = await ringOf(page, '7');
-  const twelve = await ringOf(page, '12');
+  const seven = await ringOf(page, 7);
+  const twelve = await ringOf(page, 12);
   await page.mouse.click(seven.x, seven.y);
   await expect(sheet(page)).toContainText('Landmark 7 is in the complex');
   await page.keyboard.down('Shift');
