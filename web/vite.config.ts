@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
-import { COURSE_PAGES, coursePage } from './course/pages.ts';
+import { COURSE_FILES, coursePage } from './course/pages.ts';
 
 const root = fileURLToPath(new URL('.', import.meta.url));
 
@@ -29,10 +29,7 @@ const course: Plugin = {
   },
 };
 
-const pages = [
-  'index',
-  ...['index', 'sketch', ...COURSE_PAGES.map(({ file }) => file)].map((file) => `course/${file}`),
-];
+const pages = ['index', ...COURSE_FILES.map((file) => `course/${file}`)];
 
 export default defineConfig({
   root,

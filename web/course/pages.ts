@@ -2,35 +2,72 @@
 
 /** In the order in which they are read. */
 export const COURSE_PAGES = [
-  { file: 'voronoi', title: 'Voronoi and Delaunay', idea: 'Who is nearest, and who are neighbors?' },
+  {
+    file: 'voronoi',
+    title: 'Voronoi and Delaunay',
+    idea: 'Who is nearest, and who are neighbors?',
+    description: 'Voronoi cells, the Delaunay triangulation and the empty disc.',
+  },
   {
     file: 'witnesses',
     title: 'Witnesses and landmarks',
     idea: 'Let the data say which landmarks belong together.',
+    description: 'The witness complex, from its definition.',
   },
   {
     file: 'order-two',
     title: 'Why a finite sample witnesses little',
     idea: 'Some cells are too thin to be hit.',
+    description: 'Voronoi cells of order two, slivers, and the relaxed witness complex.',
   },
-  { file: 'farthest', title: 'Farthest first', idea: 'From coarse to fine, one landmark at a time.' },
+  {
+    file: 'farthest',
+    title: 'Farthest first',
+    idea: 'From coarse to fine, one landmark at a time.',
+    description: 'How landmarks are chosen, and what the scale means.',
+  },
   {
     file: 'curves',
     title: 'Curves in the plane',
     idea: 'Where the witness complex is right, and where it is not.',
+    description: 'Where the witness complex of a curve is right, and where it is not.',
   },
-  { file: 'surfaces', title: 'Surfaces', idea: 'Slivers, holes, and how they are mended.' },
+  {
+    file: 'surfaces',
+    title: 'Surfaces',
+    idea: 'Slivers, holes, and how they are mended.',
+    description: 'Slivers and holes in space, the relaxed complex, and the surface inside it.',
+  },
   {
     file: 'plateaus',
     title: 'Betti numbers and plateaus',
     idea: 'Several scales, several answers; and some fakes.',
+    description: 'Betti numbers over the scale, several answers for one cloud, and fake plateaus.',
   },
   {
     file: 'dimensions',
     title: 'More dimensions',
     idea: 'Why witnesses become balls and landmarks get weights.',
+    description: 'Why witnesses are dilated and landmarks get weights from three dimensions on.',
   },
 ] as const;
+
+/** Beside the way through: what it begins with, and where it leads. */
+const OTHER_PAGES = [
+  {
+    file: 'index',
+    title: 'A course on witness complexes',
+    description:
+      'Eight pages on how a cloud of points becomes a shape, with the real computation in every figure.',
+  },
+  {
+    file: 'sketch',
+    title: 'A board of your own',
+    description: 'A sketch of landmarks and witnesses in the plane, for trying out.',
+  },
+] as const;
+
+export const COURSE_FILES = [...OTHER_PAGES, ...COURSE_PAGES].map(({ file }) => file);
 
 const row = (...parts: readonly string[]): string => `<mrow>${parts.join('')}</mrow>`;
 const math = (inner: string): string => `<math>${inner}</math>`;
@@ -151,14 +188,30 @@ function end(current: number): string {
   return `${nav}</main><footer class="course-foot"><p>${credit}</p></footer><noscript>The figures are computed in your browser and need JavaScript.</noscript>`;
 }
 
-/** A page of the course in full; `file` without its folder and ending. */
-export function coursePage(html: string, file: string): string {
-  const current = COURSE_PAGES.findIndex((page) => page.file === file);
-  const title = /<title>([^<]*?)(?: · [^<]*)?<\/title>/.exec(html)?.[1] ?? '';
-  const shown = current < 0 ? title : `${current + 1}. ${title}`;
-  return html
-    .replace('<!-- course: top -->', () => top(current, shown))
+function head(title: string, description: string): string {
+  return `<head>
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    <meta name="color-scheme" content="light dark" />
+    <meta name="description" content="${description}" />
+    <title>${title} · Plateau</title>
+    <link rel="icon" href="/icon.svg" type="image/svg+xml" />
+    <script type="module" src="../src/course/main.ts"></script>
+  </head>`;
+}
+
+/** A page of the course in full, from its text; `file` without its folder and ending. */
+export function coursePage(text: string, file: string): string {
+  const whole = text
     .replace('<!-- course: contents -->', contents)
-    .replace('<!-- course: end -->', () => end(current))
     .replace(/<!-- math: (\w+) -->/g, (_, name: string) => formula(name));
+  const page = [...COURSE_PAGES, ...OTHER_PAGES].find((each) => each.file === file);
+  if (!page) throw new Error(`There is no page "${file}".`);
+  const current = COURSE_PAGES.findIndex((each) => each.file === file);
+  const shown = current < 0 ? page.title : `${current + 1}. ${page.title}`;
+  return `<!doctype html>
+<html lang="en">
+  ${head(page.title, page.description)}
+  <body>${top(current, shown)}${whole}${end(current)}</body>
+</html>`;
 }

@@ -1,4 +1,5 @@
 import './theme.css';
+import './base.css';
 import './controls.css';
 import '../view/diagram.css';
 import './cards.css';

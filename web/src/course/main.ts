@@ -1,4 +1,5 @@
 import '../app/theme.css';
+import '../app/base.css';
 import '../app/controls.css';
 import './course.css';
 import './course-figures.css';

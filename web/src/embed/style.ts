@@ -1,3 +1,4 @@
+import base from '../app/base.css?inline';
 import cards from '../app/cards.css?inline';
 import controls from '../app/controls.css?inline';
 import palette from '../app/theme.css?raw';
@@ -12,7 +13,7 @@ let sheet: CSSStyleSheet | undefined;
 export function elementStyle(): CSSStyleSheet {
   if (!sheet) {
     sheet = new CSSStyleSheet();
-    sheet.replaceSync([hostTheme(palette), controls, diagram, cards, element, sizes].join('\n'));
+    sheet.replaceSync([hostTheme(palette), base, controls, diagram, cards, element, sizes].join('\n'));
   }
   return sheet;
 }

@@ -1,3 +1,4 @@
+import base from '../app/base.css?inline';
 import controls from '../app/controls.css?inline';
 import sketch from './plane-sketch.css?inline';
 
@@ -7,7 +8,7 @@ let sheet: CSSStyleSheet | undefined;
 export function sketchStyle(): CSSStyleSheet {
   if (!sheet) {
     sheet = new CSSStyleSheet();
-    sheet.replaceSync(`${controls}\n${sketch}`);
+    sheet.replaceSync([base, controls, sketch].join('\n'));
   }
   return sheet;
 }
