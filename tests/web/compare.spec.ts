@@ -406,7 +406,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       expect(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), device).toBe(
         true,
       );
-      await page.screenshot({ path: `build/screens/${device}-${colorScheme}-compared.png` });
+      await page.screenshot({ path: `build/screens/${device}-${colorScheme}-side-by-side.png` });
     }
   });
 }
