@@ -92,9 +92,14 @@ for (const [device, viewport] of FULL ? Object.entries(SIZES) : []) {
   });
 }
 
-/** What was asked for is on the screen. */
+/** What was asked for is on the screen: reading a pixel waits for the card, the pictures after it show what it drew. */
 async function drawn(page: Page): Promise<void> {
-  await page.evaluate(
-    () => new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))),
-  );
+  await page.evaluate(async () => {
+    const twoPictures = () =>
+      new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve())));
+    await twoPictures();
+    const context = document.querySelector<HTMLCanvasElement>('#shape canvas')?.getContext('webgl2');
+    context?.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));
+    await twoPictures();
+  });
 }
