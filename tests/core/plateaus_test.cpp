@@ -101,8 +101,15 @@ TEST(Plateaus, SayWhatLastsLongestOverAnotherField) {
     ASSERT_EQ(found.size(), 2u);  // another field cuts nothing
     EXPECT_EQ(found[0].torsion, kSphere);
     EXPECT_EQ(found[1].torsion, kTorus);  // 2 to 1, and at 1 no longer
-    timeline.other_betti[3 * 2 + 1] = 2;  // as long as the first: nothing is said
-    EXPECT_TRUE(find_plateaus(timeline)[0].torsion.empty());
+}
+
+TEST(Plateaus, SayNothingWhereTheSameNumbersLastedAsLong) {
+    Timeline timeline = written_down({{16, kTorus}, {8, kTorus}, {4, kSphere}});
+    timeline.other_field = 3;
+    for (const Betti& other : {kTorus, kSphere, kSphere}) {
+        timeline.other_betti.insert(timeline.other_betti.end(), other.begin(), other.end());
+    }
+    EXPECT_TRUE(find_plateaus(timeline)[0].torsion.empty());  // 16 to 8, and 8 to 4
 }
 
 }  // namespace
