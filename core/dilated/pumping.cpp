@@ -79,8 +79,8 @@ std::optional<Pumping::Levels> Pumping::star_levels(const Simplex& simplex, Slic
 }
 
 bool Pumping::collect_edges(Slice& slice) {
-    for (; next_ < vertices_.size(); ++next_) {
-        const Step vertex = vertices_[next_];
+    for (; next_ + 1 < p_; ++next_) {
+        const auto vertex = static_cast<Step>(next_ + 1);
         if (landmarks_->distance_squared(vertex, landmarks_->point(p_)) > reach_ * reach_) continue;
         const auto alone = may_be_witnessed({vertex}, slice);
         if (!alone) return false;
@@ -148,12 +148,11 @@ std::vector<Pumping::Levels> Pumping::without(const std::vector<Levels>& ranges,
     return rest;
 }
 
-void Pumping::begin(double zeta, double largest, double tie_breaking, std::vector<Step> vertices) {
+void Pumping::begin(double zeta, double largest) {
     p_ = landmarks_->size();
     zeta_ = zeta;
     largest_ = largest;
-    tie_breaking_ = tie_breaking;
-    vertices_ = std::move(vertices);
+    tie_breaking_ = landmarks_->weight_squared(p_);
 }
 
 bool Pumping::advance(Slice& slice) {

@@ -47,10 +47,9 @@ public:
     Pumping(WeightedLandmarks& landmarks, WitnessSearch& search, const PumpOptions& options)
         : landmarks_(&landmarks), search_(&search), options_(options) {}
 
-    /// Is to choose omega(p)^2 between 0 and `largest`. `vertices`: the other landmarks that can be in the star of p,
-    /// ascending.
-    void begin(double zeta, double largest, double tie_breaking, std::vector<Step> vertices);
-    /// Goes on until the slice is used up; true when the choice is made and, plus `tie_breaking`, is the weight of p.
+    /// Is to choose omega(p)^2 between 0 and `largest`. What p weighs now breaks ties, and is added to all of them.
+    void begin(double zeta, double largest);
+    /// Goes on until the slice is used up; true when the choice is made and, plus what breaks ties, is the weight of p.
     bool advance(Slice& slice);
     /// What was chosen, once advance() is true. The amplitude is not filled in.
     const Pump& result() const { return pump_; }
@@ -86,7 +85,6 @@ private:
     std::optional<Levels> halving_;  // between which levels a simplex enters or leaves, while that is looked for
     // Where it is. What is known of a simplex is kept, so that a part of the way that is gone twice costs no search.
     Phase phase_ = Phase::Begin;
-    std::vector<Step> vertices_;
     double reach_ = 0;
     std::size_t dimension_ = 2;           // of the simplices that are collected
     std::size_t next_ = 0, partner_ = 0;  // the vertex, the two facets or the flat simplex to look at

@@ -118,8 +118,8 @@ void Engine::expect(const DelaunayChange& change) const {
 }
 
 bool Engine::follow_dilated(Step step, Slice& slice) {
-    const auto point = cloud_->point(timeline_.landmarks.back());
-    if (!dilated_->insert(step, point, timeline_.epsilon(step), lists_, timeline_.simplices, slice)) return false;
+    const WitnessId witness = lists_.witness(timeline_.landmarks.back());
+    if (!dilated_->insert(step, witness, timeline_.epsilon(step), lists_, timeline_.simplices, slice)) return false;
     timeline_.weights_squared.push_back(dilated_->landmarks().weight_squared(step));
     if (options_.dilated.pumps) timeline_.pumps.push_back(dilated_->pump());
     for (const Step landmark : dilated_->hidden()) timeline_.hidden.push_back({landmark, step});
