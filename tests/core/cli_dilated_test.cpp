@@ -79,6 +79,54 @@ TEST_F(Command, StopsAtTheNthLongPlateau) {
     EXPECT_EQ(second.output.rfind(first.output, 0), 0u) << "the same run, longer";
 }
 
+TEST_F(Command, SaysWhereFewerPlateausAreAsLong) {
+    const std::string file = sample_file("helix", 400);
+    const Outcome some = plateau({"run", file, "--min-length", "0.2", "--nth", "50"});
+    ASSERT_EQ(some.code, 0) << some.error;
+    EXPECT_TRUE(contains(some.error, "Only 4 plateaus are as long as was asked for")) << some.error;
+    const Outcome none = plateau({"run", file, "--min-length", "40"});
+    ASSERT_EQ(none.code, 0) << none.error;
+    EXPECT_TRUE(contains(none.error, "No plateau is as long as was asked for")) << none.error;
+}
+
+TEST_F(Command, RefusesOptionsThatWouldDoNothing) {
+    const std::string file = sample_file("torus", 100);
+    const auto objection = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"run", file, "--steps", "20"});
+        const Outcome outcome = plateau(words);
+        EXPECT_EQ(outcome.code, 2);
+        return outcome.error;
+    };
+    for (const char* option : {"--dilation", "--omega-bar", "--zeta2"}) {
+        EXPECT_TRUE(contains(objection({option, "0.3"}), std::string(option) + " is for family dilated")) << option;
+    }
+    EXPECT_TRUE(contains(objection({"--sliver", "literal"}), "add --family dilated"));
+    EXPECT_TRUE(contains(objection({"--theory"}), "add --family dilated"));
+    EXPECT_TRUE(contains(objection({"--pump"}), "add --family dilated"));
+    for (const char* option : {"--omega-bar", "--zeta2"}) {
+        EXPECT_TRUE(contains(objection({"--family", "dilated", option, "0.3"}), "is for --pump")) << option;
+    }
+    EXPECT_TRUE(contains(objection({"--family", "dilated", "--sliver", "normalized"}), "is for --pump"));
+    EXPECT_TRUE(contains(objection({"--family", "dilated", "--rho", "2"}), "families surface and auto"));
+    EXPECT_TRUE(contains(objection({"--field", "3"}), "families witness and dilated"));
+    EXPECT_TRUE(contains(objection({"--min-length", "0", "--nth", "3"}), "above 0"));
+    // What a session says about itself counts.
+    const std::string session = path("pumped.plateau");
+    ASSERT_EQ(plateau({"run", file, "--family", "dilated", "--pump", "--steps", "20", "--session", session}).code, 0);
+    EXPECT_EQ(plateau({"run", session, "--omega-bar", "0.1", "--pumps", path("p.csv")}).code, 0);
+}
+
+TEST_F(Command, SaysHowManyLandmarksAreHidden) {
+    // Small weights hide none of these landmarks; large ones hide some.
+    const std::string file = sample_file("torus", 400);
+    const std::vector<std::string> words = {"run", file, "--family", "dilated", "--steps", "200", "--pump"};
+    EXPECT_FALSE(contains(plateau(words).error, "hidden: "));
+    auto larger = words;
+    larger.insert(larger.end(), {"--omega-bar", "0.5", "--dilation", "0"});
+    const std::string error = plateau(larger).error;
+    EXPECT_TRUE(contains(error, " of 200 landmarks are hidden: ")) << error;
+}
+
 TEST_F(Command, FourCoordinatesAreForFamilyDilated) {
     const PointCloud cloud = sample_shape("clifford", {.size = 300}).value();
     const std::string file = written("c.txt", cloud_xyz(cloud, 0, 300));
