@@ -252,6 +252,8 @@ void DilatedComplex::bear_one(std::size_t k, std::span<const Step> simplex, std:
 std::uint64_t DilatedComplex::memory() const {
     std::uint64_t bytes = landmarks_.memory() + books_.memory();
     for (const auto& living : living_) bytes += living.capacity() * sizeof(Living);
+    bytes += hidden_since_.capacity() * sizeof(Step) + nearest_squared_.capacity() * sizeof(double);
+    bytes += deaths_.capacity() * sizeof(Death) + hidden_.capacity() * sizeof(Step);
     return bytes + (search_ ? search_->memory() : 0);
 }
 

@@ -59,7 +59,7 @@ std::optional<Pumping::Levels> Pumping::own_levels(const Simplex& simplex, Slice
     Levels levels;
     (has_p ? levels.first : levels.last) = has_p ? halving_->last : halving_->first;
     halving_.reset();
-    ++pump_.events;
+    ++pump_.thresholds;
     levels_.emplace(simplex, levels);
     return levels;
 }
@@ -177,6 +177,14 @@ bool Pumping::advance(Slice& slice) {
         if (!collect_star(slice)) return false;
         sort_star();
         next_ = 0;
+        phase_ = Phase::Vertex;
+    }
+    if (phase_ == Phase::Vertex) {
+        const auto own = own_levels({p_}, slice);
+        if (!own) return false;
+        left_ = {*own};
+        before_is_known_ = own->first > 0;
+        if (before_is_known_) pump_.before = 0;
         phase_ = Phase::Choice;
     }
     if (phase_ == Phase::Choice) {
@@ -189,13 +197,6 @@ bool Pumping::advance(Slice& slice) {
 }
 
 bool Pumping::choose(Slice& slice) {
-    if (left_.empty()) {
-        const auto own = own_levels({p_}, slice);
-        if (!own) return false;
-        left_ = {*own};
-        before_is_known_ = own->first > 0;
-        if (before_is_known_) pump_.before = 0;
-    }
     while (next_ < flattest_first_.size()) {
         // Simplices of one measure together: any level that only they take is as good as the next.
         const double measure = flattest_first_[next_].first;

@@ -35,7 +35,10 @@ public:
 
     /// Over the prime of this 0-based index.
     std::uint32_t dimension(std::size_t field) const { return static_cast<std::uint32_t>(fields_[field].dimension); }
-    std::uint64_t memory() const { return (row_of_.capacity() + column_of_.capacity()) * sizeof(std::uint32_t); }
+    std::uint64_t memory() const {
+        return (row_of_.capacity() + column_of_.capacity()) * sizeof(std::uint32_t) + rows_.capacity() * sizeof(Row) +
+               columns_.capacity() * sizeof(Column);
+    }
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;

@@ -121,9 +121,9 @@ TEST(LongStep, PumpingAndTheDilatedComplexAreCut) {
                 ASSERT_EQ(cut.hash(), hash) << "what is not complete shows, in step " << steps + 1;
             }
         } else {
-            const std::uint32_t events = cut.timeline().pumps.back().events;
+            const std::uint32_t thresholds = cut.timeline().pumps.back().thresholds;
             // Where a simplex enters or leaves is found by 11 searches.
-            ASSERT_GE(calls * kSearches, 11 * events) << "step " << progress.steps_done;
+            ASSERT_GE(calls * kSearches, 11 * thresholds) << "step " << progress.steps_done;
             most_calls = std::max(most_calls, calls);
             most_births = std::max(most_births, born);
             calls = 0;
@@ -141,7 +141,7 @@ TEST(LongStep, PumpingAndTheDilatedComplexAreCut) {
         const Pump& b = whole.timeline().pumps[i];
         ASSERT_EQ(a.before, b.before);
         ASSERT_EQ(a.after, b.after);
-        ASSERT_EQ(a.events, b.events);
+        ASSERT_EQ(a.thresholds, b.thresholds);
         ASSERT_EQ(a.amplitude, b.amplitude);
     }
 }
