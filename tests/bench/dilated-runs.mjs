@@ -28,6 +28,15 @@ export function bettiOf(cloud, steps, extra) {
   return lines.slice(1).map((line) => line.split(',').slice(4).join());
 }
 
+/** Processor seconds of a run of the first landmarks, reading included: on a busy machine the clock says little. */
+export function secondsOf(cloud, steps, extra) {
+  const script = '"$@" > /dev/null 2>&1; times';
+  const report = execFileSync('sh', ['-c', script, 'sh', command, ...words(steps, extra)], { input: cloud });
+  // The second line is about the children: user and system time as minutes and seconds.
+  const [, children] = report.toString().trim().split('\n');
+  return [...children.matchAll(/(\d+)m([\d.]+)s/g)].reduce((sum, [, m, s]) => sum + 60 * Number(m) + Number(s), 0);
+}
+
 /** Weight, sliver measures and amplitude of each landmark, by the names of the columns. */
 export function pumpsOf(cloud, steps, extra) {
   const lines = plateau([...words(steps, extra), '--pump', '--pumps', '-'], cloud)
