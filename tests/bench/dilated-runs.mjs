@@ -1,5 +1,8 @@
 // Runs of family dilated by the command, for the measurements behind docs/dilated.md.
 import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const command = fileURLToPath(new URL('../../build/native/bin/plateau', import.meta.url));
@@ -13,19 +16,34 @@ export const sample = (shape, n, seed) =>
 /** Rows of numbers as text. */
 export const asText = (rows) => rows.map((row) => row.join(' ')).join('\n') + '\n';
 
-function words(steps, extra) {
-  return ['run', '-', '--family', 'dilated', '--steps', String(steps), ...extra];
+const words = (steps, extra) => ['run', '-', '--family', 'dilated', '--steps', String(steps), ...extra];
+
+function rowsOf(csv) {
+  const [names, ...rows] = csv
+    .trim()
+    .split('\n')
+    .map((line) => line.split(','));
+  return rows.map((row) => Object.fromEntries(row.map((text, k) => [names[k], text])));
 }
 
-/** The plateaus of the first landmarks, in the order of their steps. */
-export function plateausOf(cloud, steps, extra) {
-  return JSON.parse(plateau([...words(steps, extra), '--plateaus', '-'], cloud)).plateaus;
-}
-
-/** What is right at each step: its Betti numbers, joined by commas. */
-export function bettiOf(cloud, steps, extra) {
-  const lines = plateau([...words(steps, extra), '--betti', '-'], cloud).toString().trim().split('\n');
-  return lines.slice(1).map((line) => line.split(',').slice(4).join());
+/** A run of the first landmarks: its Betti numbers at each step, joined by commas; its plateaus; its pumps if it has any. */
+export function runOf(cloud, steps, extra) {
+  const folder = mkdtempSync(join(tmpdir(), 'plateau-'));
+  const file = (name) => join(folder, name);
+  const isPumped = extra.includes('--pump');
+  const outputs = ['--betti', file('betti'), '--plateaus', file('plateaus')];
+  if (isPumped) outputs.push('--pumps', file('pumps'));
+  try {
+    plateau([...words(steps, extra), ...outputs], cloud);
+    const read = (name) => readFileSync(file(name), 'utf8');
+    return {
+      betti: rowsOf(read('betti')).map((row) => Object.values(row).slice(4).join()),
+      plateaus: JSON.parse(read('plateaus')).plateaus,
+      pumps: isPumped ? rowsOf(read('pumps')) : [],
+    };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 }
 
 /** Processor seconds of a run of the first landmarks, reading included: on a busy machine the clock says little. */
@@ -34,19 +52,10 @@ export function secondsOf(cloud, steps, extra) {
   const report = execFileSync('sh', ['-c', script, 'sh', command, ...words(steps, extra)], { input: cloud });
   // The second line is about the children: user and system time as minutes and seconds.
   const [, children] = report.toString().trim().split('\n');
-  return [...children.matchAll(/(\d+)m([\d.]+)s/g)].reduce((sum, [, m, s]) => sum + 60 * Number(m) + Number(s), 0);
-}
-
-/** Weight, sliver measures and amplitude of each landmark, by the names of the columns. */
-export function pumpsOf(cloud, steps, extra) {
-  const lines = plateau([...words(steps, extra), '--pump', '--pumps', '-'], cloud)
-    .toString()
-    .trim()
-    .split('\n');
-  const names = lines[0].split(',');
-  return lines
-    .slice(1)
-    .map((line) => Object.fromEntries(line.split(',').map((text, k) => [names[k], Number(text)])));
+  return [...children.matchAll(/(\d+)m([\d.]+)s/g)].reduce(
+    (sum, [, m, s]) => sum + 60 * Number(m) + Number(s),
+    0,
+  );
 }
 
 /** Numbers from 0 to 1, the same ones for a seed on every machine (mulberry32). */

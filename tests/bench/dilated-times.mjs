@@ -17,9 +17,9 @@ console.log(row(columns.map(() => '---')));
 for (const { shape, points, landmarks, extra, reach } of runs) {
   const inFour = shape === 'clifford' ? ['--columns', '1,2,3,4'] : [];
   const cloud = sample(shape, points, 1);
-  const seconds = Array.from({ length: ROUNDS }, () => secondsOf(cloud, landmarks, [...inFour, ...extra])).sort(
-    (a, b) => a - b,
-  );
+  const seconds = Array.from({ length: ROUNDS }, () =>
+    secondsOf(cloud, landmarks, [...inFour, ...extra]),
+  ).sort((a, b) => a - b);
   const median = seconds[seconds.length >> 1].toPrecision(2);
   const name = `${shape}${extra.length > 0 ? ', pumped' : ''}`;
   const counts = [points, landmarks].map((count) => count.toLocaleString('en-US'));

@@ -1,6 +1,6 @@
 // What pumping changes: Betti numbers at every step and longest plateaus, without weights and pumped.
-// node tests/bench/pumping.mjs [SEEDS]      how many (20)
-import { asText, bettiOf, plateausOf, pumpsOf, randomOf, row, sample } from './dilated-runs.mjs';
+// node tests/bench/pumping.mjs [SEEDS [CLOUD]]      how many (20); of those whose name holds the word (all)
+import { asText, randomOf, row, runOf, sample } from './dilated-runs.mjs';
 
 const SEEDS = Number(process.argv[2] ?? 20);
 const JITTER = 1e-3;
@@ -36,17 +36,21 @@ function sphere(seed) {
 }
 
 const clouds = [
-  { name: 'Klein bottle, 6,000 points', of: (seed) => sample('klein', 6000, seed), steps: 150, right: '1,2,1,0' },
+  {
+    name: 'Klein bottle, 6,000 points',
+    of: (seed) => sample('klein', 6000, seed),
+    steps: 150,
+    right: '1,2,1,0',
+  },
   { name: 'Clifford torus, jittered grid of 3,600', of: clifford, steps: 150, right: '1,2,1,0' },
   { name: '3-sphere, 5,000 points', of: (seed) => sample('s3', 5000, seed), steps: 70, right: '1,0,0,1' },
-  { name: '3-sphere, jittered grid of 6,912', of: sphere, steps: 120, right: '1,0,0,1' },
+  { name: '3-sphere, jittered grid of 6,912', of: sphere, steps: 70, right: '1,0,0,1' },
 ];
 
-/** The longest plateau, but for the first three landmarks, which span no shape. */
-function isLongestRight(cloud, steps, right, extra) {
-  const plateaus = plateausOf(cloud, steps, extra).filter(({ first_step }) => first_step > 3);
-  plateaus.sort((a, b) => b.length - a.length);
-  return plateaus[0]?.betti.join() === right;
+/** Of the plateaus but for the first three landmarks, which span no shape. */
+function isLongestRight(plateaus, right) {
+  const later = plateaus.filter(({ first_step }) => first_step > 3).sort((a, b) => b.length - a.length);
+  return later[0]?.betti.join() === right;
 }
 
 const columns = [
@@ -63,14 +67,16 @@ const columns = [
 console.log(row(columns));
 console.log(row(columns.map(() => '---')));
 for (const { name, of, steps, right } of clouds) {
+  if (!name.includes(process.argv[3] ?? '')) continue;
   const sums = { pumped: 0, right: 0, gained: 0, lost: 0, plain: 0, weighted: 0, saved: 0 };
   for (let seed = 1; seed <= SEEDS; ++seed) {
     const cloud = of(seed);
-    const pump = ['--columns', '1,2,3,4', '--pump'];
-    const none = pump.slice(0, 2);
-    const [before, after] = [none, pump].map((extra) => bettiOf(cloud, steps, extra).map((b) => b === right));
-    const [plain, weighted] = [none, pump].map((extra) => isLongestRight(cloud, steps, right, extra));
-    sums.pumped += pumpsOf(cloud, steps, none).filter(({ omega }) => omega > 0).length;
+    const [without, pumped] = [[], ['--pump']].map((extra) =>
+      runOf(cloud, steps, ['--columns', '1,2,3,4', ...extra]),
+    );
+    const [before, after] = [without, pumped].map(({ betti }) => betti.map((numbers) => numbers === right));
+    const [plain, weighted] = [without, pumped].map(({ plateaus }) => isLongestRight(plateaus, right));
+    sums.pumped += pumped.pumps.filter(({ omega }) => Number(omega) > 0).length;
     sums.right += before.filter(Boolean).length;
     sums.gained += after.filter((is, k) => is && !before[k]).length;
     sums.lost += after.filter((is, k) => !is && before[k]).length;

@@ -2,7 +2,7 @@
 // node tests/bench/theory.mjs [SIZES [SEEDS]]      both between commas
 // Each cell: length of the longest plateau (1, 2, 1) / of the longest other one / of the longest other one that begins
 // at a step after 3: fewer landmarks span no tetrahedron, and say nothing about a surface.
-import { plateausOf, row, sample } from './dilated-runs.mjs';
+import { row, runOf, sample } from './dilated-runs.mjs';
 
 const DILATION = '0.036756427623585226';
 const STEPS = 400;
@@ -19,7 +19,7 @@ console.log(row(['Points', ...seeds.map((seed) => `seed ${seed}`)]));
 console.log(row(['---', ...seeds.map(() => '---')]));
 for (const size of sizes) {
   const cells = seeds.map((seed) => {
-    const plateaus = plateausOf(sample('torus', size, seed), STEPS, ['--dilation', DILATION]);
+    const { plateaus } = runOf(sample('torus', size, seed), STEPS, ['--dilation', DILATION]);
     const others = plateaus.filter((plateau) => !isRight(plateau));
     const later = others.filter((plateau) => plateau.first_step > 3);
     return [plateaus.filter(isRight), others, later].map((some) => longest(some).toFixed(3)).join(' / ');
