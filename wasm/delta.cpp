@@ -51,13 +51,15 @@ std::vector<std::uint32_t> older_deaths(const Timeline& timeline, Step done, Ste
     return out;
 }
 
-/// Of each landmark omega(p)^2, the smallest sliver measures before and after, and the relative amplitude.
+/// Of each landmark omega(p)^2, the smallest sliver measures before and after, the relative amplitude, and how many
+/// thresholds were found.
 std::vector<double> pumps(const Timeline& timeline, Step done, Step end) {
     std::vector<double> out;
     if (timeline.pumps.empty()) return out;
     for (Step step = done + 1; step <= end; ++step) {
         const Pump& pump = timeline.pumps[step - 1];
-        out.insert(out.end(), {pump.weight_squared, pump.before, pump.after, pump.amplitude});
+        out.insert(out.end(), {pump.weight_squared, pump.before, pump.after, pump.amplitude,
+                               static_cast<double>(pump.thresholds)});
     }
     return out;
 }

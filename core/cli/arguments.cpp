@@ -130,7 +130,6 @@ std::optional<Error> complete(RunArguments& run, const RawText& raw) {
         }
         run.memory_limit = *megabytes << 20;
     }
-    if (!run.pumps.empty() && !dilated.pumps) return invalid("--pumps is for --pump, which chooses weights.");
     if (run.nth == 0) return invalid("--nth 0 is out of range: plateaus are counted from 1.");
     return std::nullopt;
 }

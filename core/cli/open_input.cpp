@@ -2,6 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "cli/files.h"
@@ -17,6 +20,35 @@ std::uint64_t usable_memory() {
     const long page_size = sysconf(_SC_PAGESIZE);
     if (pages <= 0 || page_size <= 0) return RunOptions{}.memory_limit;
     return static_cast<std::uint64_t>(pages) / 5 * 4 * static_cast<std::uint64_t>(page_size);
+}
+
+/// An option that the command line names and that would do nothing in this run.
+std::optional<Error> objection_to_unused(const RunArguments& arguments, const RunOptions& used) {
+    const Family family = *used.family;
+    const auto is_one_of = [](const std::string& name, const auto& names) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    constexpr std::array<std::string_view, 3> kOfPumping = {"omega-bar", "zeta2", "sliver"};
+    constexpr std::array<std::string_view, 3> kOfDilated = {"dilation", "pump", "theory"};
+    for (const std::string& name : arguments.named) {
+        const bool is_of_pumping = is_one_of(name, kOfPumping);
+        std::string what;
+        if (family != Family::Dilated && (is_of_pumping || is_one_of(name, kOfDilated))) {
+            what = "family dilated; add --family dilated.";
+        } else if ((is_of_pumping || name == "pumps") && !used.dilated.pumps) {
+            what = "--pump, which chooses weights.";
+        } else if (name == "rho" && family != Family::Surface && family != Family::Auto) {
+            what = "families surface and auto.";
+        } else if (name == "field" && is_within_delaunay(family)) {
+            what = "families witness and dilated.";
+        } else if (name == "nth" && used.min_length == 0) {
+            what = "plateaus of a --min-length above 0.";
+        } else {
+            continue;
+        }
+        return Error{ErrorCode::InvalidOption, "--" + name + " is for " + what};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -50,6 +82,7 @@ Result<std::optional<OpenedInput>> open_input(const RunArguments& arguments) {
 
     auto opened = Session::open(std::move(read.value().cloud), options);
     if (!opened) return opened.error();
+    if (auto objection = objection_to_unused(arguments, opened.value().options())) return std::move(*objection);
     return std::optional<OpenedInput>(
         {std::move(opened).value(), std::move(read.value().warnings), std::move(read.value().saved)});
 }

@@ -30,8 +30,8 @@ Error out_of_range(Step at, Step steps) {
             "--at " + std::to_string(at) + " is out of range: the run has " + std::to_string(steps) + " steps."};
 }
 
-/// Steps until the end or until the user interrupts.
-Progress run_to_end(Session& session, std::uint32_t plateaus, bool show_progress) {
+/// Steps until the end, the n-th plateau that is long enough, or until the user interrupts.
+Progress run_to_end(Session& session, std::uint32_t nth, bool show_progress) {
     ProgressLine line(show_progress);
     Progress progress = session.progress();
     while (progress.state == RunState::Preparing || progress.state == RunState::Running) {
@@ -41,7 +41,7 @@ Progress run_to_end(Session& session, std::uint32_t plateaus, bool show_progress
             break;
         }
         progress = session.run({.milliseconds = kSliceMs});
-        if (progress.ended_at_plateau && --plateaus > 0) {
+        if (progress.ended_at_plateau && --nth > 0) {
             session.run_to_next_plateau();
             progress = session.progress();
         }
@@ -106,10 +106,29 @@ std::optional<std::string> amplitude_note(const Timeline& timeline) {
     for (Step step = 1; step <= timeline.pumps.size(); ++step) {
         if (timeline.pumps[step - 1].amplitude <= kLargestSafeAmplitude) continue;
         return "From step " + std::to_string(step) + " on a weight is more than half of the distance to the nearest " +
-               "landmark: the theory of pumping does not reach that far, and landmarks may be hidden (" +
-               std::to_string(timeline.hidden.size()) + " are).";
+               "landmark: the theory of pumping does not reach that far, and landmarks may be hidden.";
     }
     return std::nullopt;
+}
+
+std::optional<std::string> hidden_note(const Timeline& timeline) {
+    const std::size_t count = timeline.hidden.size();
+    if (count == 0) return std::nullopt;
+    return std::to_string(count) + " of " + std::to_string(timeline.step_count) + " landmarks " +
+           (count == 1 ? "is" : "are") + " hidden: what others leave of the cell is near no point.";
+}
+
+/// Fewer plateaus than asked for were long enough.
+std::optional<std::string> nth_note(const Session& session, std::uint32_t nth) {
+    const double least = session.options().min_length;
+    if (least == 0) return std::nullopt;
+    const auto plateaus = session.plateaus();
+    const auto found = std::count_if(plateaus.begin(), plateaus.end(),
+                                     [&](const Plateau& plateau) { return plateau.length() >= least; });
+    if (found >= static_cast<std::ptrdiff_t>(nth)) return std::nullopt;
+    if (found == 0) return "No plateau is as long as was asked for.";
+    return "Only " + std::to_string(found) + (found == 1 ? " plateau is" : " plateaus are") +
+           " as long as was asked for.";
 }
 
 void report(const std::vector<std::string>& notes) {
@@ -143,6 +162,7 @@ Result<int> run(const RunArguments& arguments) {
         if (auto note = disagreement(*saved, session)) notes.push_back(std::move(*note));
     }
     if (const auto note = amplitude_note(session.timeline())) notes.push_back(*note);
+    if (const auto note = hidden_note(session.timeline())) notes.push_back(*note);
     if (progress.stopped) notes.push_back(progress.stopped->message);
     if (progress.ended_at_noise) {
         std::array<char, 64> text{};
@@ -150,7 +170,11 @@ Result<int> run(const RunArguments& arguments) {
         notes.push_back("Stopped " + place + text.data());
     }
     if (progress.ended_at_plateau) notes.push_back("Stopped " + place + ": a plateau is as long as was asked for.");
-    if (interrupted()) notes.push_back("Interrupted " + place + ".");
+    if (interrupted()) {
+        notes.push_back("Interrupted " + place + ".");
+    } else if (const auto note = nth_note(session, arguments.nth)) {
+        notes.push_back(*note);
+    }
     report(notes);
     return interrupted() ? kInterrupted : kDone;
 }

@@ -114,6 +114,18 @@ double KdTree::nearest_other_squared(std::uint32_t position) const {
     return nearest;
 }
 
+double KdTree::nearest_distinct_squared(std::uint32_t position) const {
+    double nearest = kInfinity;
+    with_axes([&](auto axes) {
+        search(
+            0, position, axes, [&] { return nearest; },
+            [&](std::uint32_t, double squared) {
+                if (squared > 0) nearest = std::min(nearest, squared);
+            });
+    });
+    return nearest;
+}
+
 void KdTree::nearest_others(std::uint32_t position, std::uint32_t count, std::vector<Neighbor>& nearest) const {
     nearest.clear();
     const auto limit = [&] {

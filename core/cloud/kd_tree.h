@@ -100,6 +100,8 @@ public:
 
     /// Squared distance to the nearest other point; infinity where there is none. Cost: O(log n) on the average.
     double nearest_other_squared(std::uint32_t position) const;
+    /// The same for the nearest other place: duplicates do not count.
+    double nearest_distinct_squared(std::uint32_t position) const;
     /// The `count` nearest other points, fewer where there are not as many, into `nearest`, nearest first. Ties: the
     /// lowest input index. Cost: O(count + log n) on the average.
     void nearest_others(std::uint32_t position, std::uint32_t count, std::vector<Neighbor>& nearest) const;

@@ -11,7 +11,7 @@ namespace plateau {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Powers are rounded sums of a few squares; the tiny weights that break ties are a thousand times as large.
+// Powers are rounded sums of a few squares; the tiny weights that break ties are mostly a thousand times as large.
 constexpr double kPowerRounding = 0x1p-46;
 // A normal is in the span of others when the sine of its angle to it is less.
 constexpr double kDependent = 1e-10;
@@ -201,7 +201,8 @@ double CellDistance::solve(const double* x, double near, double far) {
     for (const Step landmark : pool_) load(site_of(landmark));
 
     Program<D> program;
-    for (int changes = 0; changes < kMostChanges; ++changes) {
+    for (int changes = 0;; ++changes) {
+        if (changes == kMostChanges) return std::numeric_limits<double>::quiet_NaN();
         std::size_t worst = 0;
         double largest = inside[0].at(program.y);
         for (std::size_t i = 1; i < vertices_; ++i) {

@@ -30,12 +30,16 @@ public:
     bool has_vertex(Step landmark) const;
 
     /// Squared distance of x to the cell: exact where it is at most near^2, else a bound from below. The search stops
-    /// where it exceeds far >= near. Infinity: the cell is empty.
+    /// where it exceeds far >= near. Infinity: the cell is empty. Not a number, and so neither near nor far: rounding
+    /// led in circles, which no program has been seen to do.
     double from(const double* x, double near, double far);
     /// The nearest point of the cell, after an exact distance, and the largest power there of a vertex: a new landmark
     /// leaves the distance as it is unless its own power there is less.
     const double* nearest_point() const { return nearest_.data(); }
     double power() const { return power_; }
+    std::uint64_t memory() const {
+        return sizeof(std::uint32_t) * (pool_.capacity() + seen_.capacity()) + sizeof(double) * relative_.capacity();
+    }
 
 private:
     static constexpr std::size_t kMaxActive = kMaxDilatedDimension;

@@ -10,13 +10,15 @@ namespace plateau {
 
 namespace {
 
-// Cospherical landmarks would make cells of more than d + 1 of them. As a part of epsilon^2 this is far below what can
-// be seen and far above rounding.
-constexpr double kTieBreaking = 0x1p-36;
+// Cospherical landmarks would make cells of more than d + 1 of them. The part of epsilon^2 is far above rounding and
+// far below what can be seen now; the part of the squared distance to the nearest other witness is far below what can
+// be seen ever, for no landmark comes closer.
+constexpr double kOfEpsilon = 0x1p-36;
+constexpr double kOfSpacing = 0x1p-18;
 
-double tie_breaking_weight_squared(Step step, double epsilon) {
+double tie_breaking_weight_squared(Step step, double epsilon, double spacing_squared) {
     Random random(step);
-    return kTieBreaking * epsilon * epsilon * random.next_unit();
+    return std::min(kOfEpsilon * epsilon * epsilon, kOfSpacing * spacing_squared) * random.next_unit();
 }
 
 }  // namespace
@@ -38,7 +40,7 @@ bool DilatedComplex::is_dead(std::size_t k, SimplexIndex simplex, Tables& tables
     return (k == 0 ? hidden_since_[simplex] : tables[k].death[0][simplex]) != kNever;
 }
 
-bool DilatedComplex::insert(Step step, std::span<const double> point, double epsilon, const LandmarkLists& lists,
+bool DilatedComplex::insert(Step step, WitnessId witness, double epsilon, const LandmarkLists& lists,
                             std::vector<SimplexTable>& of_dimension, Slice& slice) {
     Tables tables{step, of_dimension};
     const double zeta = options_.dilation * epsilon;
@@ -47,8 +49,10 @@ bool DilatedComplex::insert(Step step, std::span<const double> point, double eps
         if (!search_->prepare(slice)) return false;
         deaths_.clear();
         hidden_.clear();
-        landmarks_.add(point, 0);
-        begin_weighing(step, epsilon);
+        const KdTree& tree = lists.tree();
+        landmarks_.add({tree.point(witness), tree.dimension()},
+                       tie_breaking_weight_squared(step, epsilon, tree.nearest_distinct_squared(witness)));
+        if (options_.pumps) begin_pumping(step, epsilon);
         hidden_since_.push_back(kNever);
         place_ = {.phase = Phase::Weigh};
     }
@@ -80,10 +84,7 @@ bool DilatedComplex::insert(Step step, std::span<const double> point, double eps
 }
 
 // omega(p)^2 of the new landmark is to be chosen.
-void DilatedComplex::begin_weighing(Step step, double epsilon) {
-    const double tie_breaking = tie_breaking_weight_squared(step, epsilon);
-    landmarks_.reweigh(tie_breaking);
-    if (!options_.pumps) return;
+void DilatedComplex::begin_pumping(Step step, double epsilon) {
     double nearest = std::numeric_limits<double>::infinity();
     for (Step other = 1; other < step; ++other) {
         const double squared = landmarks_.distance_squared(other, landmarks_.point(step));
@@ -95,12 +96,9 @@ void DilatedComplex::begin_weighing(Step step, double epsilon) {
     pumping_.reset();
     // The first landmark has no other, and at epsilon = 0 witnesses have no radius.
     if (step == 1 || epsilon == 0) return;
-    std::vector<Step> vertices;
-    for (const Living& vertex : living_[0]) vertices.push_back(vertex.simplex);
     const double omega_bar = options_.pump.omega_bar;
     pumping_.emplace(landmarks_, *search_, options_.pump);
-    pumping_->begin(options_.pump.dilation * epsilon, omega_bar * omega_bar * nearest, tie_breaking,
-                    std::move(vertices));
+    pumping_->begin(options_.pump.dilation * epsilon, omega_bar * omega_bar * nearest);
 }
 
 // Chooses it, and tells how large the weights are for the distances so far.
@@ -254,6 +252,8 @@ void DilatedComplex::bear_one(std::size_t k, std::span<const Step> simplex, std:
 std::uint64_t DilatedComplex::memory() const {
     std::uint64_t bytes = landmarks_.memory() + books_.memory();
     for (const auto& living : living_) bytes += living.capacity() * sizeof(Living);
+    bytes += hidden_since_.capacity() * sizeof(Step) + nearest_squared_.capacity() * sizeof(double);
+    bytes += deaths_.capacity() * sizeof(Death) + hidden_.capacity() * sizeof(Step);
     return bytes + (search_ ? search_->memory() : 0);
 }
 

@@ -38,11 +38,11 @@ class DilatedComplex {
 public:
     DilatedComplex(std::uint32_t dimension, const DilatedOptions& options);
 
-    /// Follows one insertion. `lists` after the insertion of the landmark `point` of `step`, by a tree, with kappa >=
+    /// Follows one insertion. `lists` after the insertion of the landmark `witness` of `step`, by a tree, with kappa >=
     /// 2; epsilon after it. Appends births to `tables` (one a dimension, 1 first, up to that of the cloud) and sets
     /// deaths there. False where the slice is used up: then it is to be called again with the same arguments, until it
     /// is true, and goes on where it was.
-    bool insert(Step step, std::span<const double> point, double epsilon, const LandmarkLists& lists,
+    bool insert(Step step, WitnessId witness, double epsilon, const LandmarkLists& lists,
                 std::vector<SimplexTable>& tables, Slice& slice);
 
     /// Deaths of the last step by (dimension, tuple).
@@ -80,7 +80,7 @@ private:
 
     std::span<const Step> tuple(std::size_t k, const SimplexIndex& simplex, Tables& tables) const;
     bool is_dead(std::size_t k, SimplexIndex simplex, Tables& tables) const;
-    void begin_weighing(Step step, double epsilon);
+    void begin_pumping(Step step, double epsilon);
     bool weigh(Slice& slice);
     bool lose(double zeta, Tables& tables, Slice& slice);
     void sort_deaths(Tables& tables);

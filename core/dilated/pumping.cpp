@@ -59,7 +59,7 @@ std::optional<Pumping::Levels> Pumping::own_levels(const Simplex& simplex, Slice
     Levels levels;
     (has_p ? levels.first : levels.last) = has_p ? halving_->last : halving_->first;
     halving_.reset();
-    ++pump_.events;
+    ++pump_.thresholds;
     levels_.emplace(simplex, levels);
     return levels;
 }
@@ -79,8 +79,8 @@ std::optional<Pumping::Levels> Pumping::star_levels(const Simplex& simplex, Slic
 }
 
 bool Pumping::collect_edges(Slice& slice) {
-    for (; next_ < vertices_.size(); ++next_) {
-        const Step vertex = vertices_[next_];
+    for (; next_ + 1 < p_; ++next_) {
+        const auto vertex = static_cast<Step>(next_ + 1);
         if (landmarks_->distance_squared(vertex, landmarks_->point(p_)) > reach_ * reach_) continue;
         const auto alone = may_be_witnessed({vertex}, slice);
         if (!alone) return false;
@@ -148,12 +148,11 @@ std::vector<Pumping::Levels> Pumping::without(const std::vector<Levels>& ranges,
     return rest;
 }
 
-void Pumping::begin(double zeta, double largest, double tie_breaking, std::vector<Step> vertices) {
+void Pumping::begin(double zeta, double largest) {
     p_ = landmarks_->size();
     zeta_ = zeta;
     largest_ = largest;
-    tie_breaking_ = tie_breaking;
-    vertices_ = std::move(vertices);
+    tie_breaking_ = landmarks_->weight_squared(p_);
 }
 
 bool Pumping::advance(Slice& slice) {
@@ -178,6 +177,14 @@ bool Pumping::advance(Slice& slice) {
         if (!collect_star(slice)) return false;
         sort_star();
         next_ = 0;
+        phase_ = Phase::Vertex;
+    }
+    if (phase_ == Phase::Vertex) {
+        const auto own = own_levels({p_}, slice);
+        if (!own) return false;
+        left_ = {*own};
+        before_is_known_ = own->first > 0;
+        if (before_is_known_) pump_.before = 0;
         phase_ = Phase::Choice;
     }
     if (phase_ == Phase::Choice) {
@@ -190,13 +197,6 @@ bool Pumping::advance(Slice& slice) {
 }
 
 bool Pumping::choose(Slice& slice) {
-    if (left_.empty()) {
-        const auto own = own_levels({p_}, slice);
-        if (!own) return false;
-        left_ = {*own};
-        before_is_known_ = own->first > 0;
-        if (before_is_known_) pump_.before = 0;
-    }
     while (next_ < flattest_first_.size()) {
         // Simplices of one measure together: any level that only they take is as good as the next.
         const double measure = flattest_first_[next_].first;

@@ -28,11 +28,13 @@ struct Pump {
     double weight_squared = 0;  ///< omega(p)^2 as chosen, input units squared
     double before = 1;          ///< smallest sliver measure in the star of p at weight 0; 0 where p is hidden
     double after = 1;           ///< and at the chosen one
-    std::uint32_t events = 0;  ///< simplices that were seen to enter or leave the star between weight 0 and the largest
-    double amplitude = 0;      ///< relative amplitude of all weights at this step: largest omega(u) / |u - v|
+    /// Weights at which a simplex, or a face of one, was found to enter or leave the star. Flat simplices are looked at
+    /// first and mostly settle the choice: these are not all events between weight 0 and the largest [BGO 5.4.2].
+    std::uint32_t thresholds = 0;
+    double amplitude = 0;  ///< relative amplitude of all weights at this step: largest omega(u) / |u - v|
 };
 
-/// Pumps the youngest landmark p [BGO 5.2]: of kPumpLevels + 1 evenly spaced values of omega(p)^2 from 0 to the largest
+/// Pumps the youngest landmark p [BGO 5.2]: of kLevels + 1 evenly spaced values of omega(p)^2 from 0 to the largest
 /// allowed one, the smallest of those at which the smallest sliver measure in the star of p, in the complex of radius
 /// zeta_2, is largest.
 ///
@@ -47,10 +49,9 @@ public:
     Pumping(WeightedLandmarks& landmarks, WitnessSearch& search, const PumpOptions& options)
         : landmarks_(&landmarks), search_(&search), options_(options) {}
 
-    /// Is to choose omega(p)^2 between 0 and `largest`. `vertices`: the other landmarks that can be in the star of p,
-    /// ascending.
-    void begin(double zeta, double largest, double tie_breaking, std::vector<Step> vertices);
-    /// Goes on until the slice is used up; true when the choice is made and, plus `tie_breaking`, is the weight of p.
+    /// Is to choose omega(p)^2 between 0 and `largest`. What p weighs now breaks ties, and is added to all of them.
+    void begin(double zeta, double largest);
+    /// Goes on until the slice is used up; true when the choice is made and, plus what breaks ties, is the weight of p.
     bool advance(Slice& slice);
     /// What was chosen, once advance() is true. The amplitude is not filled in.
     const Pump& result() const { return pump_; }
@@ -61,7 +62,7 @@ private:
     };
     using Simplex = std::vector<Step>;
 
-    enum class Phase : std::uint8_t { Begin, Edges, Star, Choice, Done };
+    enum class Phase : std::uint8_t { Begin, Edges, Star, Vertex, Choice, Done };
 
     std::optional<bool> is_witnessed(std::span<const Step> simplex, std::uint32_t level, Slice& slice);
     std::optional<bool> may_be_witnessed(const Simplex& simplex, Slice& slice);
@@ -86,7 +87,6 @@ private:
     std::optional<Levels> halving_;  // between which levels a simplex enters or leaves, while that is looked for
     // Where it is. What is known of a simplex is kept, so that a part of the way that is gone twice costs no search.
     Phase phase_ = Phase::Begin;
-    std::vector<Step> vertices_;
     double reach_ = 0;
     std::size_t dimension_ = 2;           // of the simplices that are collected
     std::size_t next_ = 0, partner_ = 0;  // the vertex, the two facets or the flat simplex to look at

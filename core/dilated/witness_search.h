@@ -43,7 +43,7 @@ public:
     /// No landmark farther from the youngest, p, is in a simplex with it that has a witness within zeta.
     double reach(double zeta);
 
-    std::uint64_t memory() const { return balls_.memory(); }
+    std::uint64_t memory() const { return balls_.memory() + cell_.memory(); }
 
 private:
     const double* point(WitnessId witness) const { return balls_.tree().point(witness); }

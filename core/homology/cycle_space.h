@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/slice.h"
 #include "complex/simplex_books.h"
 #include "complex/simplex_table.h"
 #include "homology/echelon.h"
@@ -26,13 +28,17 @@ class CycleSpace {
 public:
     CycleSpace(int k, std::span<const std::uint32_t> primes);
 
-    /// Follows one insertion, after the complex has followed it.
-    void update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
-                std::span<const Death> deaths);
+    /// Follows one insertion, after the complex has followed it. False where the slice is used up: then it is to be
+    /// called again with the same arguments, until it is true, and goes on where it was.
+    bool update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
+                std::span<const Death> deaths, Slice& slice);
 
     /// Over the prime of this 0-based index.
     std::uint32_t dimension(std::size_t field) const { return static_cast<std::uint32_t>(fields_[field].dimension); }
-    std::uint64_t memory() const { return (row_of_.capacity() + column_of_.capacity()) * sizeof(std::uint32_t); }
+    std::uint64_t memory() const {
+        return (row_of_.capacity() + column_of_.capacity()) * sizeof(std::uint32_t) + rows_.capacity() * sizeof(Row) +
+               columns_.capacity() * sizeof(Column);
+    }
 
 private:
     static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
@@ -65,18 +71,42 @@ private:
         const SimplexBooks& books;
     };
 
+    enum class Phase : std::uint8_t { Idle, Collect, SetAside, Eliminate, Grow };
+    struct Ranks {
+        std::int64_t upper = 0, lower = 0;  // with the facets that lead out of the ball, and without
+    };
+    /// The columns are put into an echelon four times: those that stay, that go, that come; and after the first again
+    /// those that come.
+    static constexpr std::array kRounds = {Kind::Stays, Kind::Goes, Kind::Comes, Kind::Comes};
+    /// Where an update is.
+    struct Place {
+        Phase phase = Phase::Idle;
+        std::size_t next = 0;    // collecting: the death, then the birth; eliminating: the column; growing: the row
+        std::size_t enough = 0;  // growing: so many columns are
+        std::size_t field = 0, round = 0;  // eliminating
+        std::uint32_t inside = 0;          // eliminating: rows of facets that do not lead out of the ball
+        std::uint32_t staying = 0;         // rank of the first round
+        std::array<Ranks, kRounds.size()> ranks{};
+    };
+
     template <class Use>
     void for_each_unseen(SimplexIndex facet, const Around& around, const Use& use) const;
     std::uint32_t row(SimplexIndex facet, const Around& around);
     void add(SimplexIndex simplex, Kind kind, const Around& around);
     void set_aside_alone(const Around& around);
-    bool all_settled(const Around& around);
-    std::optional<std::int64_t> settled_change(Field& field, std::uint32_t inside, const Around& around);
-    void grow(const Around& around);
+    bool collect(std::span<const Death> deaths, const Around& around, Slice& slice);
+    std::uint32_t place_rows();
+    bool eliminate(const Around& around, Slice& slice);
+    bool put_in(Field& field, const Around& around, Slice& slice);
+    std::optional<std::int64_t> settled_change() const;
+    bool all_settled() const;
+    bool grow(const Around& around, Slice& slice);
     Echelon::Column boundary(const Column& column, std::uint32_t prime, const Around& around) const;
     void forget();
 
     int k_;
+    Place at_;
+    std::int64_t more_ = 0;  // simplices that come, less those that go
     std::vector<Field> fields_;
     std::int64_t alone_ = 0;                // the part of the rank's change that is found alone, over every prime
     std::vector<std::uint32_t> row_of_;     // facet -> row, or kNone

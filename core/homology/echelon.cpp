@@ -23,6 +23,7 @@ void Echelon::reset(std::uint32_t row_count) {
 }
 
 std::uint32_t Echelon::insert(Column column) {
+    looked_at_ = 0;
     while (!column.empty()) {
         std::uint32_t& leader = led_by_[column.front().row];
         if (leader == kNoRow) {
@@ -41,6 +42,7 @@ void Echelon::shrink_to(std::uint32_t rank) {
 
 // Cancels the leading row of the column by a multiple of the pivot.
 void Echelon::subtract(Column& column, const Column& pivot) {
+    looked_at_ += static_cast<std::uint32_t>(column.size() + pivot.size());
     const std::uint32_t factor = column.front().value * inverse(pivot.front().value, prime_) % prime_;
     sum_.clear();
     auto a = column.begin() + 1;

@@ -24,6 +24,8 @@ public:
     /// Puts a column in, reduced by those that are there; the row that it leads with then, or kNoRow if it depends on
     /// them. Cost: the fill of the reduction.
     std::uint32_t insert(Column column);
+    /// How many entries the last insert() went through.
+    std::uint32_t looked_at() const { return looked_at_; }
 
     std::uint32_t rank() const { return static_cast<std::uint32_t>(columns_.size()); }
     /// Forgets the columns put in last, down to the rank.
@@ -35,7 +37,8 @@ private:
     std::uint32_t prime_;
     std::vector<Column> columns_;
     std::vector<std::uint32_t> led_by_;  // row -> column that leads with it, or kNoRow
-    Column sum_;                         // scratch
+    std::uint32_t looked_at_ = 0;
+    Column sum_;  // scratch
 };
 
 }  // namespace plateau

@@ -6,12 +6,20 @@ GeneralBetti::GeneralBetti(int count, std::span<const std::uint32_t> primes) : s
     for (int k = 2; k <= count; ++k) cycles_.emplace_back(k, primes);
 }
 
-void GeneralBetti::update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
-                          std::span<const Death> deaths, std::span<const Step> hidden) {
-    simplices_.update(step, tables, deaths, hidden);
-    hidden_ += static_cast<std::uint32_t>(hidden.size());
-    skeleton_.update(step, tables.front(), deaths);
-    for (CycleSpace& cycles : cycles_) cycles.update(step, tables, books, deaths);
+bool GeneralBetti::update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
+                          std::span<const Death> deaths, std::span<const Step> hidden, Slice& slice) {
+    if (!is_counted_) {
+        simplices_.update(step, tables, deaths, hidden);
+        hidden_ += static_cast<std::uint32_t>(hidden.size());
+        skeleton_.update(step, tables.front(), deaths);
+        is_counted_ = true;
+    }
+    for (; next_ < cycles_.size(); ++next_) {
+        if (!cycles_[next_].update(step, tables, books, deaths, slice)) return false;
+    }
+    is_counted_ = false;
+    next_ = 0;
+    return true;
 }
 
 std::vector<std::uint32_t> GeneralBetti::numbers(std::size_t field) const {

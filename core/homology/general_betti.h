@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/slice.h"
 #include "complex/simplex_books.h"
 #include "complex/simplex_table.h"
 #include "homology/cycle_space.h"
@@ -21,9 +22,10 @@ public:
     /// beta_0 .. beta_{count-1}, of simplices up to dimension `count`; every prime at most 46337.
     GeneralBetti(int count, std::span<const std::uint32_t> primes);
 
-    /// Follows one insertion, after the complex has followed it. `hidden`: see SimplexCounts.
-    void update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
-                std::span<const Death> deaths, std::span<const Step> hidden = {});
+    /// Follows one insertion, after the complex has followed it. `hidden`: see SimplexCounts. False where the slice is
+    /// used up: then it is to be called again with the same arguments, until it is true, and goes on where it was.
+    bool update(Step step, const std::vector<SimplexTable>& tables, const SimplexBooks& books,
+                std::span<const Death> deaths, std::span<const Step> hidden, Slice& slice);
 
     /// Over the prime of this 0-based index.
     std::vector<std::uint32_t> numbers(std::size_t field) const;
@@ -34,6 +36,8 @@ private:
     SimplexCounts simplices_;
     std::uint32_t hidden_ = 0;        // landmarks that are no vertices
     std::vector<CycleSpace> cycles_;  // of dimension 2, 3, ...
+    bool is_counted_ = false;         // an update is through with all but the cycles
+    std::size_t next_ = 0;            // of them
 };
 
 }  // namespace plateau

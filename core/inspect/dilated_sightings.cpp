@@ -59,6 +59,7 @@ Sightings dilated_sightings(const PointCloud& witnesses, const WeightedLandmarks
         // Above rounding, so that equal distances are both exact.
         const double far = std::max(zeta, std::sqrt(best.first) * (1 + 0x1p-40));
         const double squared = cell.from(x, far, far);
+        if (std::isnan(squared)) continue;  // not known
         if (squared <= zeta * zeta) found.witnesses.push_back({witness, 0, std::sqrt(squared)});
         best = std::min(best, {squared, witness});
     }

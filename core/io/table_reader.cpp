@@ -126,11 +126,22 @@ private:
                 sentence += (k > 0 ? "," : "") + std::to_string(columns[k] + 1);
             }
             sentence += " of " + std::to_string(width_) + " as coordinates";
-            sink_.warn(sentence + (by_name ? ", by their names." : "."));
+            sink_.warn(sentence + (by_name ? ", by their names." : "." + all_columns()));
         } else if (width_ > 3) {
             sink_.warn_of_dimension(width_);
         }
         return sink_.choose(width_, columns);
+    }
+
+    /// A file of four or five numbers a point may as well be one of points in R^4 or R^5.
+    std::string all_columns() const {
+        if (width_ > 5) return "";
+        std::string all;
+        for (std::size_t k = 0; k < width_; ++k) {
+            if (parse_field(fields_[k]).kind != FieldKind::Number) return "";
+            all += (k > 0 ? "," : "") + std::to_string(k + 1);
+        }
+        return " Take points of R^" + std::to_string(width_) + " with --columns " + all + ".";
     }
 
     LineScanner lines_;

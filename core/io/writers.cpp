@@ -42,14 +42,14 @@ std::string betti_csv(const Session& session) {
 
 std::string pumps_csv(const Session& session) {
     const Timeline& timeline = session.timeline();
-    std::string text = "step,landmark,omega,sliver_before,sliver_after,events,amplitude,hidden\n";
+    std::string text = "step,landmark,omega,sliver_before,sliver_after,thresholds,amplitude,hidden\n";
     std::size_t hidden = 0;
     for (Step step = 1; step <= timeline.pumps.size(); ++step) {
         const Pump& pump = timeline.pumps[step - 1];
         while (hidden < timeline.hidden.size() && timeline.hidden[hidden].from <= step) ++hidden;
         text += std::to_string(step) + ',' + std::to_string(timeline.landmarks[step - 1]) + ',' +
                 exact(std::sqrt(pump.weight_squared)) + ',' + exact(pump.before) + ',' + exact(pump.after) + ',' +
-                std::to_string(pump.events) + ',' + exact(pump.amplitude) + ',' + std::to_string(hidden) + '\n';
+                std::to_string(pump.thresholds) + ',' + exact(pump.amplitude) + ',' + std::to_string(hidden) + '\n';
     }
     return text;
 }

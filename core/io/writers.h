@@ -16,7 +16,7 @@ std::string plateaus_json(const Session& session);
 
 /// Comma-separated values of family dilated with pumping, a line a complete step under a line of names: step, landmark
 /// (0-based input index), omega (the weight, input units), the smallest sliver measure in its star before and after,
-/// events, the relative amplitude of all weights so far, and how many landmarks are hidden.
+/// thresholds (see Pump), the relative amplitude of all weights so far, and how many landmarks are hidden.
 std::string pumps_csv(const Session& session);
 
 /// The plateaus for a person, longest first, three significant digits; at most 20 lines of them.

@@ -79,7 +79,10 @@ std::optional<Error> Engine::begin_step(std::uint32_t input_index) {
 bool Engine::finish_step(const Deadline& deadline) {
     const Step step = timeline_.step_count + 1;
     Slice slice(deadline);
-    if (dilated_ && !follow_dilated(step, slice)) return false;
+    if (dilated_ && !is_followed_) {
+        if (!follow_dilated(step, slice)) return false;
+        is_followed_ = true;
+    }
     if (surface_) {
         const LandmarkPoints points{cloud_, &timeline_.landmarks};
         if (!surface_->update(step, *delaunay_, *change_, *complex_, complex_->deaths(), points, timeline_, slice)) {
@@ -92,11 +95,9 @@ bool Engine::finish_step(const Deadline& deadline) {
     if (embedded_) {
         embedded_->update(step, timeline_.simplices, complex_->deaths(), *delaunay_, *change_, complex_->faces());
     }
-    if (general_ && dilated_) {
-        general_->update(step, timeline_.simplices, dilated_->books(), dilated_->deaths(), dilated_->hidden());
-    } else if (general_) {
-        general_->update(step, timeline_.simplices, complex_->books(), complex_->deaths());
-    }
+    if (general_ && !count_cycles(step, slice)) return false;
+    if (dilated_) record_dilated(step);
+    is_followed_ = false;
     record_numbers();
     timeline_.step_count = step;
     return true;
@@ -118,13 +119,21 @@ void Engine::expect(const DelaunayChange& change) const {
 }
 
 bool Engine::follow_dilated(Step step, Slice& slice) {
-    const auto point = cloud_->point(timeline_.landmarks.back());
-    if (!dilated_->insert(step, point, timeline_.epsilon(step), lists_, timeline_.simplices, slice)) return false;
+    const WitnessId witness = lists_.witness(timeline_.landmarks.back());
+    return dilated_->insert(step, witness, timeline_.epsilon(step), lists_, timeline_.simplices, slice);
+}
+
+void Engine::record_dilated(Step step) {
     timeline_.weights_squared.push_back(dilated_->landmarks().weight_squared(step));
     if (options_.dilated.pumps) timeline_.pumps.push_back(dilated_->pump());
     for (const Step landmark : dilated_->hidden()) timeline_.hidden.push_back({landmark, step});
     record_deaths(dilated_->deaths());
-    return true;
+}
+
+bool Engine::count_cycles(Step step, Slice& slice) {
+    const auto& tables = timeline_.simplices;
+    if (!dilated_) return general_->update(step, tables, complex_->books(), complex_->deaths(), {}, slice);
+    return general_->update(step, tables, dilated_->books(), dilated_->deaths(), dilated_->hidden(), slice);
 }
 
 void Engine::record_deaths(std::span<const Death> deaths) {

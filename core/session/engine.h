@@ -49,8 +49,8 @@ public:
     std::optional<Error> begin_step(std::uint32_t input_index);
     /// Whether a step is begun and not complete.
     bool in_step() const { return timeline_.landmarks.size() > timeline_.step_count; }
-    /// Goes on with the step until the deadline; true when it is complete. Only the surface and family dilated make a
-    /// step long enough to be cut.
+    /// Goes on with the step until the deadline; true when it is complete. The surface, family dilated and cycles of
+    /// complexes that are not embedded can make a step long enough to be cut.
     bool finish_step(const Deadline& deadline);
     /// The next landmark, farthest first, after the first insertion.
     std::uint32_t farthest() const { return lists_.farthest(); }
@@ -65,6 +65,8 @@ public:
 private:
     void expect(const DelaunayChange& change) const;
     bool follow_dilated(Step step, Slice& slice);
+    void record_dilated(Step step);
+    bool count_cycles(Step step, Slice& slice);
     void record_deaths(std::span<const Death> deaths);
     void record_numbers();
     void extend_hash(Step step);
@@ -77,6 +79,7 @@ private:
     const DelaunayChange* change_ = nullptr;  // of the last step; none without D(L)
     std::optional<NuComplex> complex_;        // one of these two
     std::optional<DilatedComplex> dilated_;
+    bool is_followed_ = false;  // it has followed the step that is not complete
     std::optional<SurfaceTracker> surface_;
     std::optional<EmbeddedBetti> embedded_;
     std::optional<SurfaceBetti> surface_betti_;

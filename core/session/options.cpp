@@ -151,7 +151,7 @@ Result<RunOptions> resolved(RunOptions options, const PointCloud& cloud) {
         return invalid("rho must be a positive number, or 0 to keep triangles of every radius-edge ratio.");
     }
     if (options.dilated.pumps && options.family != Family::Dilated) {
-        return invalid("Weights are for family dilated only.");
+        return invalid("Weights are for family dilated only; add --family dilated.");
     }
     if (auto error = check_dilated(options.dilated)) return std::move(*error);
     if (options.field > 46337 || !is_prime(options.field)) {

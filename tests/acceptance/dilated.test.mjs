@@ -1,4 +1,4 @@
-// What family dilated shows at dilation 0.2: manifolds in R^3 and R^4, surfaces with a border, two scales in one cloud.
+// What family dilated shows at dilation 0.2: manifolds in R^3, R^4 and R^5, surfaces with a border, two scales in one cloud.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { test } from 'node:test';
@@ -29,6 +29,7 @@ const cases = [
   { shape: 's3', n: 20_000, steps: 160, betti: [1, 0, 0, 1], extra: inFour },
   { shape: 'rp2', n: 20_000, steps: 300, betti: [1, 1, 1, 0], extra: inFour },
   { shape: 'rp2', n: 20_000, steps: 300, betti: [1, 0, 0, 0], extra: [...inFour, '--field', '3'] },
+  { shape: 's2xs1', n: 30_000, steps: 400, betti: [1, 1, 1, 1, 0], extra: ['--columns', '1,2,3,4,5'] },
 ];
 
 for (const { shape, n, steps, betti, over = 0, extra = [] } of cases) {

@@ -24,7 +24,7 @@ TEST_F(Command, PumpsAreALineALandmark) {
     ASSERT_EQ(outcome.code, 0) << outcome.error;
     const auto lines = lines_of(contents(pumps));
     ASSERT_EQ(lines.size(), 201u);
-    EXPECT_EQ(lines[0], "step,landmark,omega,sliver_before,sliver_after,events,amplitude,hidden");
+    EXPECT_EQ(lines[0], "step,landmark,omega,sliver_before,sliver_after,thresholds,amplitude,hidden");
     bool is_pumped = false;
     double last_amplitude = 0;
     for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -77,6 +77,52 @@ TEST_F(Command, StopsAtTheNthLongPlateau) {
     const Outcome second = plateau(more);
     EXPECT_GT(lines_of(second.output).size(), lines_of(first.output).size());
     EXPECT_EQ(second.output.rfind(first.output, 0), 0u) << "the same run, longer";
+}
+
+TEST_F(Command, SaysWhereFewerPlateausAreAsLong) {
+    const std::string file = sample_file("helix", 400);
+    const Outcome some = plateau({"run", file, "--min-length", "0.2", "--nth", "50"});
+    ASSERT_EQ(some.code, 0) << some.error;
+    EXPECT_TRUE(contains(some.error, "Only 4 plateaus are as long as was asked for")) << some.error;
+    const Outcome none = plateau({"run", file, "--min-length", "40"});
+    ASSERT_EQ(none.code, 0) << none.error;
+    EXPECT_TRUE(contains(none.error, "No plateau is as long as was asked for")) << none.error;
+}
+
+TEST_F(Command, RefusesOptionsThatWouldDoNothing) {
+    const std::string file = sample_file("torus", 100);
+    const auto objection = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"run", file, "--steps", "20"});
+        const Outcome outcome = plateau(words);
+        EXPECT_EQ(outcome.code, 2);
+        return outcome.error;
+    };
+    for (const char* option : {"--dilation", "--omega-bar", "--zeta2"}) {
+        EXPECT_TRUE(contains(objection({option, "0.3"}), std::string(option) + " is for family dilated")) << option;
+    }
+    EXPECT_TRUE(contains(objection({"--sliver", "literal"}), "add --family dilated"));
+    EXPECT_TRUE(contains(objection({"--theory"}), "add --family dilated"));
+    EXPECT_TRUE(contains(objection({"--pump"}), "add --family dilated"));
+    for (const char* option : {"--omega-bar", "--zeta2"}) {
+        EXPECT_TRUE(contains(objection({"--family", "dilated", option, "0.3"}), "is for --pump")) << option;
+    }
+    EXPECT_TRUE(contains(objection({"--family", "dilated", "--sliver", "normalized"}), "is for --pump"));
+    EXPECT_TRUE(contains(objection({"--family", "dilated", "--rho", "2"}), "families surface and auto"));
+    EXPECT_TRUE(contains(objection({"--field", "3"}), "families witness and dilated"));
+    EXPECT_TRUE(contains(objection({"--min-length", "0", "--nth", "3"}), "above 0"));
+    // What a session says about itself counts.
+    const std::string session = path("pumped.plateau");
+    ASSERT_EQ(plateau({"run", file, "--family", "dilated", "--pump", "--steps", "20", "--session", session}).code, 0);
+    EXPECT_EQ(plateau({"run", session, "--omega-bar", "0.1", "--pumps", path("p.csv")}).code, 0);
+}
+
+TEST_F(Command, SaysHowManyLandmarksAreHidden) {
+    const std::string file = sample_file("torus", 400);
+    std::vector<std::string> words = {"run", file, "--family", "dilated", "--steps", "200", "--dilation", "0"};
+    EXPECT_FALSE(contains(plateau(words).error, "hidden"));
+    words.insert(words.end(), {"--pump", "--omega-bar", "0.5"});
+    const std::string error = plateau(words).error;
+    EXPECT_TRUE(contains(error, " of 200 landmarks are hidden: ")) << error;
 }
 
 TEST_F(Command, FourCoordinatesAreForFamilyDilated) {

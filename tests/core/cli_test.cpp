@@ -162,7 +162,7 @@ TEST_F(Command, BadUsageIsOneLineAndExit2) {
     EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--omega-bar", "0.7"}), "omega-bar"));
     EXPECT_TRUE(contains(refused({"run", file, "--family", "dilated", "--zeta2", "-1"}), "zeta2"));
     refused({"run", file, "--theory", "--dilation", "0.3"});
-    EXPECT_TRUE(contains(refused({"run", file, "--family", "witness", "--pump"}), "family dilated"));
+    EXPECT_TRUE(contains(refused({"run", file, "--family", "witness", "--pump"}), "add --family dilated"));
     EXPECT_TRUE(contains(refused({"run", file, "--min-length", "-1"}), "least length"));
     EXPECT_TRUE(contains(refused({"run", file, "--min-length", "1", "--nth", "0"}), "--nth 0"));
     refused({"run", file, "--nth", "2"});
@@ -216,7 +216,8 @@ TEST_F(Command, FlatCloudsRunWithANote) {
 TEST_F(Command, ColumnsTakenByTheReaderAreReported) {
     const Outcome outcome = plateau({"run", written("c.xyz", "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n")});
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_EQ(outcome.error, "plateau: Took columns 1,2,3 of 4 as coordinates.\n");
+    EXPECT_EQ(outcome.error,
+              "plateau: Took columns 1,2,3 of 4 as coordinates. Take points of R^4 with --columns 1,2,3,4.\n");
 }
 
 TEST_F(Command, CtrlCWritesWhatIsDone) {

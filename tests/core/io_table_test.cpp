@@ -124,6 +124,13 @@ TEST(TableReader, XyzFilesTakeTheirFirstThreeColumns) {
     EXPECT_EQ(got.cloud.coordinates, (Numbers{1, 2, 3, 4, 5, 6}));
     EXPECT_EQ(got.warnings, std::vector<std::string>{"Took columns 1,2,3 of 6 as coordinates."});
     EXPECT_EQ(got.columns_in_file, 6u);
+    // Colors and normals are three columns more; fewer can be coordinates.
+    const ReadCloud five = read("1 2 3 4 5\n6 7 8 9 0\n", "five.xyz");
+    EXPECT_EQ(five.cloud.dimension, 3u);
+    EXPECT_EQ(five.warnings, std::vector<std::string>{"Took columns 1,2,3 of 5 as coordinates. Take points of R^5 with "
+                                                      "--columns 1,2,3,4,5."});
+    const ReadCloud named = read("1 2 3 red\n4 5 6 blue\n", "named.xyz");
+    EXPECT_EQ(named.warnings, std::vector<std::string>{"Took columns 1,2,3 of 4 as coordinates."});
 }
 
 TEST(TableReader, RaggedRowsNameTheLine) {

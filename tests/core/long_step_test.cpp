@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
+#include "base/random.h"
 #include "cloud/samples.h"
+#include "dilated/dilated_complex.h"
 #include "dilated/witness_search.h"
+#include "homology/general_betti.h"
 #include "session/session.h"
 #include "surface/outer_region.h"
 
@@ -117,9 +121,9 @@ TEST(LongStep, PumpingAndTheDilatedComplexAreCut) {
                 ASSERT_EQ(cut.hash(), hash) << "what is not complete shows, in step " << steps + 1;
             }
         } else {
-            const std::uint32_t events = cut.timeline().pumps.back().events;
+            const std::uint32_t thresholds = cut.timeline().pumps.back().thresholds;
             // Where a simplex enters or leaves is found by 11 searches.
-            ASSERT_GE(calls * kSearches, 11 * events) << "step " << progress.steps_done;
+            ASSERT_GE(calls * kSearches, 11 * thresholds) << "step " << progress.steps_done;
             most_calls = std::max(most_calls, calls);
             most_births = std::max(most_births, born);
             calls = 0;
@@ -137,9 +141,47 @@ TEST(LongStep, PumpingAndTheDilatedComplexAreCut) {
         const Pump& b = whole.timeline().pumps[i];
         ASSERT_EQ(a.before, b.before);
         ASSERT_EQ(a.after, b.after);
-        ASSERT_EQ(a.events, b.events);
+        ASSERT_EQ(a.thresholds, b.thresholds);
         ASSERT_EQ(a.amplitude, b.amplitude);
     }
+}
+
+// In R^5 a landmark far from what bounds its cycles has thousands of simplices looked at, over two fields.
+TEST(LongStep, CountingCyclesIsCut) {
+    constexpr Step kSteps = 60;
+    constexpr int kDimension = 5;
+    Random random(17);
+    PointCloud cloud{kDimension, {}};
+    for (int i = 0; i < 2000 * kDimension; ++i) cloud.coordinates.push_back(random.next_unit());
+    LandmarkLists lists(cloud, kDimension + 1);
+    ASSERT_TRUE(lists.prepare(Deadline::never()));
+    DilatedComplex complex(kDimension, {.dilation = 1, .pumps = false, .pump = {}});
+    std::vector<SimplexTable> tables(kDimension);
+    for (int k = 1; k <= kDimension; ++k) tables[static_cast<std::size_t>(k - 1)].dimension = k;
+    constexpr std::array<std::uint32_t, 2> kPrimes = {2, 3};
+    GeneralBetti whole(kDimension, kPrimes);
+    GeneralBetti cut(kDimension, kPrimes);
+    const Deadline passed(0);
+    const Deadline never = Deadline::never();
+    std::size_t most_parts = 0;
+    for (Step step = 1; step <= kSteps; ++step) {
+        const std::uint32_t next = step == 1 ? 0 : lists.farthest();
+        lists.insert(next, step);
+        const double epsilon = lists.distance(lists.farthest_comparable());
+        Slice slice(never);
+        ASSERT_TRUE(complex.insert(step, lists.witness(next), epsilon, lists, tables, slice));
+        ASSERT_TRUE(whole.update(step, tables, complex.books(), complex.deaths(), complex.hidden(), slice));
+        std::size_t parts = 0;
+        for (bool done = false; !done; ++parts) {
+            Slice part(passed);
+            done = cut.update(step, tables, complex.books(), complex.deaths(), complex.hidden(), part);
+        }
+        for (std::size_t field = 0; field < kPrimes.size(); ++field) {
+            ASSERT_EQ(cut.numbers(field), whole.numbers(field)) << "step " << step;
+        }
+        most_parts = std::max(most_parts, parts);
+    }
+    EXPECT_GT(most_parts, 1500u) << "columns are reduced by more than fits into a part";
 }
 
 // What does not show in the rows: a triangle that leaves K asks for each of its edges, one that comes back has its

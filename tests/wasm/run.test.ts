@@ -109,9 +109,9 @@ describe('what a run appends', () => {
     const parts = finishedRun(module, sample('torus', 2000), options);
     const [one] = allDeltas(whole, 1e9);
     const pumps = [...(one?.pumps ?? [])];
-    expect(pumps).toHaveLength(4 * 60);
+    expect(pumps).toHaveLength(5 * 60);
     expect(allDeltas(parts, 50).flatMap((delta) => [...delta.pumps])).toEqual(pumps);
-    const numbers = (place: number): number[] => pumps.filter((_, i) => i % 4 === place);
+    const numbers = (place: number): number[] => pumps.filter((_, i) => i % 5 === place);
     const [weights, before, after, amplitude] = [numbers(0), numbers(1), numbers(2), numbers(3)];
     expect(weights.filter((weight) => weight > 0).length).toBeGreaterThan(0);
     after.forEach((measure, i) => {
@@ -119,6 +119,11 @@ describe('what a run appends', () => {
       expect(measure > (before[i] ?? NaN)).toBe((weights[i] ?? NaN) > 0);
     });
     expect(Math.max(...amplitude)).toBeGreaterThan(0);
+    // A weight is chosen where a simplex enters or leaves.
+    numbers(4).forEach((thresholds, i) => {
+      expect(Number.isInteger(thresholds)).toBe(true);
+      if ((weights[i] ?? NaN) > 0) expect(thresholds).toBeGreaterThan(0);
+    });
     whole.delete();
     parts.delete();
     const plain = finishedRun(module, sample('torus', 100), { family: 'dilated', maxSteps: 9 });

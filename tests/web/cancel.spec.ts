@@ -195,3 +195,21 @@ test('a run goes to its end, and all along it could have been left', async ({ pa
       `the longest wait ${ms(longestWait)}, at most ${mostBefore} slices before one; over 100 ms: ${slow}`,
   );
 });
+
+// In five dimensions with large balls a step pumps against, and counts cycles among, thousands of simplices.
+test('a pumped run of family dilated is left within a step, and could be all along', async ({ page }) => {
+  test.setTimeout(FULL ? 600_000 : 120_000);
+  const steps = FULL ? 100 : 40;
+  await page.goto(`./#v=1&shape=s2xs1&n=3000&family=dilated&dilation=1&pump=1&steps=${steps}`);
+  await expect.poll(async () => Number(await state(page, 'steps'))).toBeGreaterThan(20);
+  await drop(page, 'other.xyz', torusText(150));
+  await expect(root(page)).toHaveAttribute('data-source', 'other.xyz');
+  await expect(root(page)).toHaveAttribute('data-run-state', 'finished');
+  const { longestWait, longestSlice, slices, slow } = await examine(page);
+  const { requests } = await pageSeen(page);
+  expect(requests.filter(({ kind }) => kind === 'close')).toHaveLength(1);
+  console.log(
+    `dilated in R^5, pumped: ${slices} slices, the longest ${ms(longestSlice)}; the longest wait ${ms(longestWait)}; ` +
+      `over 100 ms: ${slow}`,
+  );
+});

@@ -93,7 +93,7 @@ test('a cloud in space is followed by family dilated with its settings, which li
   await shown(page, 'torus');
   expect(await state(page, 'hash')).toBe(hash);
   await expect(page.locator('#zeta2')).toHaveValue('0.4');
-  await expect(page.locator('#sliver')).toHaveValue('normalized');
+  await expect(page.locator('#sliver')).toHaveValue('literal');
 
   await drop(page, 'torus.plateau', bytes);
   await shown(page, 'torus.plateau');
@@ -102,9 +102,45 @@ test('a cloud in space is followed by family dilated with its settings, which li
   await expect(page.locator('#pump')).toBeChecked();
   await openSettings(page);
   await page.getByRole('combobox', { name: 'Constants', exact: true }).selectOption('usual');
-  await page.getByLabel('Pumping', { exact: true }).uncheck();
+  await expect(page.getByLabel('Pumping', { exact: true })).not.toBeChecked();
   await expect(page.locator('#pumps')).toBeHidden();
   await expect(page.getByRole('textbox', { name: 'ω̄' })).toBeHidden();
+});
+
+test('constants are named what they are, and what pumping was told waits for it to be on again', async ({
+  page,
+}) => {
+  await openDilated(page, 900, 40);
+  const constants = page.getByRole('combobox', { name: 'Constants', exact: true });
+  const pumping = page.getByLabel('Pumping', { exact: true });
+  const slivers = page.getByRole('combobox', { name: 'Slivers', exact: true });
+  await expect(page.getByRole('textbox', { name: 'ρ' })).toBeHidden();
+  await constants.selectOption('theory');
+  await expect(pumping).toBeChecked();
+  await shown(page, 'torus');
+  await expect(constants).toHaveValue('theory');
+  await slivers.selectOption('normalized');
+  await expect(constants).toHaveValue('own');
+  await slivers.selectOption('literal');
+  await expect(constants).toHaveValue('theory');
+  await fill(page, 'ω̄', '0.125');
+  await fill(page, 'ζ₂', '0.4');
+  await expect(constants).toHaveValue('own');
+  await shown(page, 'torus');
+  await pumping.uncheck();
+  await expect(page.locator('#pumps')).toBeHidden();
+  await expect(constants).toHaveValue('own');
+  await pumping.check();
+  await expect(page.getByRole('textbox', { name: 'ω̄' })).toHaveValue('0.125');
+  await expect(page.getByRole('textbox', { name: 'ζ₂' })).toHaveValue('0.4');
+  await slivers.selectOption('normalized');
+  await constants.selectOption('usual');
+  await expect(pumping).not.toBeChecked();
+  await shown(page, 'torus');
+  await expect(constants).toHaveValue('usual');
+  await pumping.check();
+  await expect(slivers).toHaveValue('literal');
+  await expect(page.getByRole('textbox', { name: 'ω̄' })).toHaveValue('');
 });
 
 test('what is wrong with a setting is said beside it, and what was shown stays', async ({ page }) => {
@@ -171,12 +207,13 @@ test('pumping is drawn: bars, numbers on the axis, a table, and a warning', asyn
   await expect(panel.getByText('As a table')).toBeVisible();
   await panel.getByText('As a table').focus();
   await page.keyboard.press('Enter');
-  const cells = (await panel.locator('td').allTextContents()).map(Number);
+  const cells = (await panel.locator('tbody td').allTextContents()).map(Number);
   expect(cells).toHaveLength(24);
   for (const place of [0, 1]) {
     const counts = cells.filter((_, i) => i % 2 === place);
     expect(counts.reduce((sum, count) => sum + count)).toBe(80);
   }
+  await expect(panel.getByRole('row', { name: /^thresholds found [1-9]/ })).toBeVisible();
   // A bar is as high as its number of the highest one's.
   const heights = await chart
     .locator('rect')

@@ -31,6 +31,21 @@ test('the question for columns is the page’s own, not the command’s', async 
   await expect(page.locator('#columns-form')).toBeHidden();
 });
 
+test('a file of four numbers a point can be read as points of R⁴', async ({ page }) => {
+  await openPaused(page, 'torus', 60);
+  await drop(page, 'four.xyz', '0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 5\n1 1 1 0\n');
+  await shown(page, 'four.xyz');
+  const note = page.getByText('Took columns 1,2,3 of 4 as coordinates.');
+  await expect(note).toBeVisible();
+  await expect(page.locator('main')).not.toContainText('--');
+  await expect(page.getByRole('button', { name: 'They are distances' })).toBeHidden();
+  await expect(page.getByLabel('Which columns')).toHaveValue('1, 2, 3, 4');
+  await page.getByRole('button', { name: 'Open with these' }).click();
+  await expect(page.locator('#columns-form')).toBeHidden();
+  await expect(note).toBeHidden();
+  await expect.poll(async () => (await state(page, 'betti')).split(',').length).toBe(4);
+});
+
 test('a cloud without a plateau gets an honest card', async ({ page }) => {
   await openPaused(page, 'torus', 60);
   await drop(page, 'two.xyz', '0 0 0\n1 1 1\n');

@@ -157,7 +157,9 @@ Real cell_distance(const std::vector<Site>& seen, const std::vector<int>& simple
 
 }  // namespace
 
-DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& settings) {
+namespace {
+
+DilatedState complex_of(const PointCloud& cloud, const DilatedSettings& settings, bool only_around_youngest) {
     const auto coordinates = [&](int index) {
         const auto point = cloud.point(static_cast<std::uint32_t>(index));
         return std::vector<double>(point.begin(), point.end());
@@ -185,6 +187,7 @@ DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& set
     };
     const int count = static_cast<int>(settings.landmarks.size());
     for (int vertex = 1; vertex <= count; ++vertex) {
+        if (only_around_youngest && vertex < count && !is_witnessed({vertex, count})) continue;
         if (is_witnessed({vertex})) state.complex[0].insert({vertex});
     }
     for (std::size_t k = 1; k <= cloud.dimension + 1; ++k) {
@@ -201,6 +204,16 @@ DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& set
         }
     }
     return state;
+}
+
+}  // namespace
+
+DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& settings) {
+    return complex_of(cloud, settings, false);
+}
+
+DilatedState dilated_complex_around_youngest(const PointCloud& cloud, const DilatedSettings& settings) {
+    return complex_of(cloud, settings, true);
 }
 
 std::vector<double> distances_to_cell(const PointCloud& cloud, const DilatedSettings& settings, const Simplex& simplex,

@@ -25,6 +25,9 @@ struct DilatedState {
 /// apart.
 DilatedState dilated_complex(const PointCloud& cloud, const DilatedSettings& settings);
 
+/// What of it is spanned by the youngest landmark and those that share an edge with it: its star, and more.
+DilatedState dilated_complex_around_youngest(const PointCloud& cloud, const DilatedSettings& settings);
+
 /// The distance of every witness, by input index, to the cell of a simplex; infinity where it is more than `limit` or
 /// the cell is empty. zeta and doubt do not matter.
 std::vector<double> distances_to_cell(const PointCloud& cloud, const DilatedSettings& settings, const Simplex& simplex,

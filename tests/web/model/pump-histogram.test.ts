@@ -8,8 +8,8 @@ import {
 import { RunRecord } from '../../../web/src/model/record.ts';
 import { deltaOf, openedWith, recordOf } from './fixtures.ts';
 
-/** A record of landmarks with (weight squared, before, after, amplitude) each. */
-function pumped(pumps: readonly (readonly [number, number, number, number])[]): RunRecord {
+/** A record of landmarks with (weight squared, before, after, amplitude, thresholds) each. */
+function pumped(pumps: readonly (readonly [number, number, number, number, number])[]): RunRecord {
   const record = new RunRecord(openedWith({ stepsPlanned: pumps.length }));
   // In two deltas, as runs come.
   const middle = Math.ceil(pumps.length / 2);
@@ -36,11 +36,11 @@ describe('the histogram of pumping', () => {
 
   test('every landmark is counted once before and once after', () => {
     const record = pumped([
-      [0, 1, 1, 0],
-      [0.25, 0.001, 0.09, 0.25],
-      [0, 0.11, 0.11, 0.3],
-      [0, 0.1, 0.1, 0.51],
-      [0.1, 0, 0.03, 0.6],
+      [0, 1, 1, 0, 0],
+      [0.25, 0.001, 0.09, 0.25, 7],
+      [0, 0.11, 0.11, 0.3, 0],
+      [0, 0.1, 0.1, 0.51, 4],
+      [0.1, 0, 0.03, 0.6, 1],
     ]);
     const histogram = pumpHistogram(record);
     if (!histogram) throw new Error('there is one');
@@ -55,6 +55,7 @@ describe('the histogram of pumping', () => {
     expect(pumpsInWords(histogram)).toBe(
       '2 of 5 landmarks got a weight; the largest relative amplitude is 0.600.',
     );
+    expect(histogram.thresholds).toBe(12);
     expect(histogram.unsafeFrom).toBe(4);
     expect(amplitudeWarning(histogram)).toMatch(/^From step 4 on .* more than half/);
   });
@@ -62,8 +63,8 @@ describe('the histogram of pumping', () => {
   test('where no simplex is flat, and no weight is chosen', () => {
     const histogram = pumpHistogram(
       pumped([
-        [0, 1, 1, 0],
-        [0, 1, 1, 0],
+        [0, 1, 1, 0, 0],
+        [0, 1, 1, 0, 0],
       ]),
     );
     if (!histogram) throw new Error('there is one');

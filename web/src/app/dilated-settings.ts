@@ -9,6 +9,14 @@ const USUAL = { dilation: 0.2, omegaBar: 0.25, zeta2: 0.5881028419773636 } as co
 /** (3/8) sin(π/32); the other constants of the theory are the usual ones. */
 const THEORY_DILATION = 0.036756427623585226;
 
+/** Which choice of constants these options are. */
+function presetOf(options: Chosen): 'usual' | 'theory' | 'own' {
+  const { dilation, pump = false, omegaBar, zeta2, sliver = 'literal' } = { ...USUAL, ...options };
+  if (!pump) return dilation === USUAL.dilation ? 'usual' : 'own';
+  const isOfTheory = omegaBar === USUAL.omegaBar && zeta2 === USUAL.zeta2 && sliver === 'literal';
+  return isOfTheory && dilation === THEORY_DILATION ? 'theory' : 'own';
+}
+
 /** The constants of family dilated, and its pumping. */
 export class DilatedSettings {
   private readonly group = byId('dilated-settings', HTMLElement);
@@ -25,9 +33,10 @@ export class DilatedSettings {
     this.constants.addEventListener('change', () => {
       const theory = this.constants.value === 'theory';
       this.dilation.value = theory ? String(THEORY_DILATION) : '';
-      // Its proofs are about pumped landmarks.
-      if (theory) this.pump.checked = true;
+      // The theory's proofs are about pumped landmarks.
+      this.pump.checked = theory;
       this.omegaBar.value = this.zeta2.value = '';
+      this.sliver.value = 'literal';
     });
   }
 
@@ -54,12 +63,11 @@ export class DilatedSettings {
     this.dilation.value = text(options.dilation);
     this.pump.checked = options.pump === true;
     this.pumping.hidden = !this.pump.checked;
+    this.constants.value = presetOf(options);
+    // While it is off they wait for it to be on again.
+    if (!this.pump.checked) return;
     this.omegaBar.value = text(options.omegaBar);
     this.zeta2.value = text(options.zeta2);
     this.sliver.value = options.sliver ?? 'literal';
-    const { dilation, omegaBar, zeta2 } = { ...USUAL, ...options };
-    const others = omegaBar === USUAL.omegaBar && zeta2 === USUAL.zeta2;
-    const known = dilation === USUAL.dilation ? 'usual' : dilation === THEORY_DILATION ? 'theory' : 'own';
-    this.constants.value = others ? known : 'own';
   }
 }

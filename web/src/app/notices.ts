@@ -6,6 +6,8 @@ import { byId, setNotice } from './dom.ts';
 
 /** What the command says to its own users; here the form asks. */
 const COMMAND_OPTION = / with --columns\b[^.]*\.?$/;
+/** Of a table that was read without its last columns. */
+const ALL_COLUMNS = / Take points of R\^\d with --columns ([\d,]+)\./;
 
 const ADVICE = 'Nothing was changed here. Mend the file and open it again, or open another.';
 /** What is no table of points may still be one of distances: triangular, or with names. */
@@ -37,6 +39,8 @@ export class Notices {
   private readonly home = this.trouble.parentElement;
   private readonly columns = byId('columns-form', HTMLFormElement);
   private readonly columnsEntry = byId('columns-entry', HTMLElement);
+  private readonly columnsField = byId('columns', HTMLInputElement);
+  private readonly distances = byId('open-as-matrix', HTMLElement);
   private readonly warning = byId('warning', HTMLElement);
 
   /** `about`: the file that the error came from, if it can be read anew with other columns. */
@@ -52,8 +56,10 @@ export class Notices {
     this.trouble.hidden = message === '';
     // A question is no fault.
     this.trouble.classList.toggle('error', !asksForColumns);
+    this.trouble.after(this.columns);
     this.columns.hidden = !asksForColumns && !asksForDistances;
     this.columnsEntry.hidden = !asksForColumns;
+    this.distances.hidden = false;
     if (message !== '' && this.trouble.parentElement !== this.home)
       this.trouble.scrollIntoView({ block: 'nearest' });
   }
@@ -68,9 +74,16 @@ export class Notices {
     setting.after(this.trouble);
   }
 
-  /** What is worth knowing of points that could be read. */
-  opened({ warnings, coordinates, dimension }: Opened): void {
+  /** What is worth knowing of points that could be read; `mayAsk`: the file can be read anew with other columns. */
+  opened({ warnings, coordinates, dimension }: Opened, mayAsk: boolean): void {
     const flat = dimension === 2 || dimension === 3 ? flatness(coordinates, dimension) : undefined;
-    setNotice(this.warning, [...warnings, ...(flat ? [FLAT_NOTES[flat]] : [])].join(' '));
+    const all = warnings.map((text) => ALL_COLUMNS.exec(text)?.[1]).find((columns) => columns !== undefined);
+    const said = warnings.map((text) => text.replace(ALL_COLUMNS, ''));
+    setNotice(this.warning, [...said, ...(flat ? [FLAT_NOTES[flat]] : [])].join(' '));
+    if (all === undefined || !mayAsk) return;
+    this.columnsField.value = all.replaceAll(',', ', ');
+    this.warning.after(this.columns);
+    this.columns.hidden = this.columnsEntry.hidden = false;
+    this.distances.hidden = true;
   }
 }

@@ -63,7 +63,7 @@ export class Page implements FeedListener, WalkScreen {
   /** Bytes that a run may take, where that is less than the module allows. */
   memoryLimit: number | undefined;
   private opening: AbortController | undefined;
-  private failedChoice: SourceChoice | undefined;
+  private askedChoice: SourceChoice | undefined;
   private feed: RunFeed | undefined;
   private choice: SourceChoice | undefined;
   private options: RunOptions = {};
@@ -143,12 +143,13 @@ export class Page implements FeedListener, WalkScreen {
       if (restored) this.restore(restored);
       this.settings.show(opened.choice, opened.options, run.opened);
       this.travels.arrive(travelling ? undefined : opened);
-      this.notices.opened(run.opened);
+      this.askedChoice = choice;
+      this.notices.opened(run.opened, choice.kind === 'file' && choice.columns === undefined);
     } catch (error) {
       if (opening.signal.aborted) return;
       shown?.run.resume().catch(() => undefined);
       this.travels.turnBack();
-      this.failedChoice = choice;
+      this.askedChoice = choice;
       this.markSample();
       this.showEmpty();
       this.showError(error, choice.kind === 'file' && choice.columns === undefined ? sourceName(choice) : '');
@@ -157,10 +158,10 @@ export class Page implements FeedListener, WalkScreen {
     this.root.removeAttribute('aria-busy');
   }
 
-  /** The file that could not be read without knowing what its columns are; none: they are distances. */
+  /** The file whose columns were asked for; none: they are distances. */
   openFailedWith(columns: readonly number[], options: RunOptions): void {
-    if (this.failedChoice?.kind !== 'file') return;
-    void this.open({ kind: 'file', file: this.failedChoice.file, columns }, options, 'answer');
+    if (this.askedChoice?.kind !== 'file') return;
+    void this.open({ kind: 'file', file: this.askedChoice.file, columns }, options, 'answer');
   }
 
   showError(error: unknown, about = ''): void {

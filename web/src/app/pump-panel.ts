@@ -5,6 +5,7 @@ import {
   pumpsInWords,
   type PumpHistogram,
 } from '../model/pump-histogram.ts';
+import { grouped } from '../model/numbers.ts';
 import type { RunRecord } from '../model/record.ts';
 import { drawPumps } from '../view/pump-chart.ts';
 import { byId, setNotice } from './dom.ts';
@@ -16,6 +17,7 @@ export class PumpPanel {
   private readonly warning = byId('pump-warning', HTMLElement);
   private readonly chart = byId('pump-chart', SVGSVGElement);
   private readonly rows = byId('pump-rows', HTMLElement);
+  private readonly thresholds = byId('pump-thresholds', HTMLElement);
   private shown: RunRecord | undefined;
   private shownCount = 0;
 
@@ -32,7 +34,8 @@ export class PumpPanel {
     this.words.textContent = pumpsInWords(histogram);
     setNotice(this.warning, amplitudeWarning(histogram));
     drawPumps(this.chart, histogram);
-    const { bins } = histogram;
+    const { bins, thresholds } = histogram;
+    this.thresholds.textContent = grouped(thresholds);
     this.rows.replaceChildren(
       ...bins.map(({ before, after }, i) => {
         const row = document.createElement('tr');

@@ -29,6 +29,7 @@ export class SettingsForm {
   private readonly nu = byId('nu', HTMLInputElement);
   private readonly first = byId('first', HTMLInputElement);
   private readonly rho = byId('rho', HTMLInputElement);
+  private readonly rhoRow = byId('rho-row', HTMLElement);
   private readonly maxSteps = byId('max-steps', HTMLInputElement);
   private readonly until = byId('until', HTMLInputElement);
   private readonly minLength = byId('min-length', HTMLInputElement);
@@ -66,7 +67,8 @@ export class SettingsForm {
     const maxSteps = wholeFrom(1, this.maxSteps, 'Stop at N');
     const untilEpsilon = positive(this.until, 'Stop at ε');
     const minLength = positive(this.minLength, 'Stop at length');
-    const rho = positive(this.rho, 'ρ');
+    // It is about triangles of the surface.
+    const rho = this.rhoRow.hidden ? undefined : positive(this.rho, 'ρ');
     const options: RunOptions = {
       ...(isFamily(this.family.value) ? { family: this.family.value } : {}),
       ...this.metric.asked(),
@@ -100,6 +102,7 @@ export class SettingsForm {
     this.nu.placeholder = opened.nu.join(', ');
     this.first.value = String(options.first ?? 0);
     this.first.max = String(opened.points - 1);
+    this.rhoRow.hidden = opened.family === 'dilated';
     this.rho.value = text(options.rho);
     this.maxSteps.value = text(options.maxSteps);
     this.until.value = text(options.untilEpsilon);

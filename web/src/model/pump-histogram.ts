@@ -22,6 +22,8 @@ export interface PumpHistogram {
   /** Landmarks that got a weight. */
   readonly changed: number;
   readonly largestAmplitude: number;
+  /** Found in all, see Pump. */
+  readonly thresholds: number;
   /** The first step with an amplitude that is too large; 0: none. */
   readonly unsafeFrom: number;
 }
@@ -59,6 +61,7 @@ export function pumpHistogram(record: RunRecord): PumpHistogram | undefined {
     })),
     changed: pumps.filter(({ weightSquared }) => weightSquared > 0).length,
     largestAmplitude: pumps.reduce((most, { amplitude }) => Math.max(most, amplitude), 0),
+    thresholds: pumps.reduce((sum, pump) => sum + pump.thresholds, 0),
     unsafeFrom: 1 + pumps.findIndex(({ amplitude }) => amplitude > LARGEST_SAFE_AMPLITUDE),
   };
 }

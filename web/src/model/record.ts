@@ -32,8 +32,10 @@ export interface Pump {
   readonly after: number;
   /** The largest weight of all at its step, as a part of the distance to the nearest landmark. */
   readonly amplitude: number;
+  /** Weights at which a simplex was found to enter or leave what is around it; not all that there are. */
+  readonly thresholds: number;
 }
-const PUMP_NUMBERS = 4;
+const PUMP_NUMBERS = 5;
 
 /** What a step shows. */
 export interface StepSummary {
@@ -169,10 +171,10 @@ export class RunRecord {
   /** What pumping the landmark of a step came to; the step is at most `pumpCount`. */
   pump(step: number): Pump {
     const first = (step - 1) * PUMP_NUMBERS;
-    const [weightSquared = 0, before = 0, after = 0, amplitude = 0] = [0, 1, 2, 3].map((i) =>
-      this.pumps.at(first + i),
+    const [weightSquared = 0, before = 0, after = 0, amplitude = 0, thresholds = 0] = [0, 1, 2, 3, 4].map(
+      (i) => this.pumps.at(first + i),
     );
-    return { weightSquared, before, after, amplitude };
+    return { weightSquared, before, after, amplitude, thresholds };
   }
 
   /** Input index (0-based) of the landmark of a step. */

@@ -263,7 +263,8 @@ export interface Delta {
   readonly otherBetti: Uint32Array;
   /**
    * Where landmarks are pumped, of each new one: the square of its weight, the smallest sliver measure around it
-   * before (without a weight) and after, and the relative amplitude of all weights at its step. Else empty.
+   * before (without a weight) and after, the relative amplitude of all weights at its step, and how many thresholds
+   * were found. Else empty.
    */
   readonly pumps: Float64Array;
   /** Two vertices (steps, ascending) an edge; the birth is the last vertex. */

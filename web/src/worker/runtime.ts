@@ -8,7 +8,7 @@ import { buffersOf } from './transfer.ts';
 const SLICE_MS = 12;
 /** New simplices in one delta: the page appends them well within a frame. */
 const DELTA_SIMPLICES = 30_000;
-/** The first landmarks are evaluated one by one, so that they can be drawn at once; later ones in blocks. */
+/** The first landmarks come one by one, so that they can be drawn at once. */
 const FIRST_STEPS = 12;
 const INTERNAL = 12;
 
@@ -138,7 +138,7 @@ export class WorkerRuntime {
       this.answering(entry.openRequest, () => this.openSlice(runId, entry));
     } else {
       const first = entry.prepared && entry.stepsDone < FIRST_STEPS;
-      const { state, stepsDone } = first ? entry.core.advance(Infinity, 1) : entry.core.advance(SLICE_MS);
+      const { state, stepsDone } = first ? entry.core.advance(SLICE_MS, 1) : entry.core.advance(SLICE_MS);
       entry.prepared = state !== 'preparing';
       entry.stepsDone = stepsDone;
       if (state === 'finished' || state === 'stopped') entry.phase = 'done';
