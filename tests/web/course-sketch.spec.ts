@@ -12,7 +12,10 @@ test('what a figure has not to offer is not there: tools, keys, layers', async (
   await openPage(page, 'voronoi');
   const map = page.locator('#map');
   await expect(map.getByLabel('Add landmarks')).toBeVisible();
-  await expect(map.getByLabel('Ask why')).toBeHidden();
+  for (const later of ['Ask why', 'Add witnesses']) await expect(map.getByLabel(later)).toBeHidden();
+  await press(page, board(page, 'map'), 'w', 'l');
+  await expect(map).toHaveAttribute('landmarks', / 60,40$/);
+  expect(await map.getAttribute('witnesses')).toBeNull();
   await expect(map.getByLabel('Voronoi cells', { exact: true })).toBeVisible();
   for (const later of ['Complex', 'Cells of order two', 'Only Delaunay simplices', 'Discs of radius ε'])
     await expect(map.getByLabel(later)).toBeHidden();

@@ -113,7 +113,7 @@ test('surfaces: the three complexes, their loops and the genus, by keyboard', as
   await openPage(page, 'surfaces');
   await finished(page, 'torus');
   await answer(page, 'closed-surface', '');
-  await verdict(page, 'closed-surface', 'wrong', /174 loops/);
+  await verdict(page, 'closed-surface', 'wrong', /2 loops, 300 voids/);
   await answer(page, 'holes', 'two');
   await verdict(page, 'holes', 'wrong', /has 174 loops/);
   await press(page, page.getByRole('button', { name: 'the surface inside it' }), 'Enter');

@@ -193,7 +193,9 @@ export class PlaneSketchElement extends HTMLElement {
       nudge: (dx, dy) => editor.nudge(dx, dy),
       drag: (place) => editor.drag(place),
       drop: () => editor.drop(),
-      add: (kind, place) => editor.add(kind, place),
+      add: (kind, place) => {
+        if (kind === 'landmark' || this.hasTool(kind)) editor.add(kind, place);
+      },
       remove: () => editor.remove(),
       pick: (target) => this.pick(target),
       pickSelected: () => {
@@ -238,6 +240,10 @@ export class PlaneSketchElement extends HTMLElement {
   private get tool(): Tool {
     for (const [tool, radio] of this.parts.tools) if (radio.checked) return tool;
     return 'move';
+  }
+
+  private hasTool(tool: Tool): boolean {
+    return !this.parts.tools.get(tool)?.parentElement?.hidden;
   }
 
   private takeNu(): void {

@@ -15,15 +15,19 @@ type Offer = 'edits' | 'nu' | 'layers' | 'why' | 'clear';
 const ALL_OFFERS = 'edits nu layers why';
 
 /** Keys, what they do, and what must be offered for them to do it. */
-const KEYS: readonly (readonly [string, string, Offer?])[] = [
+const KEYS: readonly (readonly [string, string, (Offer | Tool)?])[] = [
   ['N, P', 'next or previous point'],
   ['Arrows', 'move it, or the cross where no point is selected; with shift by five', 'edits'],
-  ['L, W', 'put a landmark or a witness where the cross is', 'edits'],
+  ['L', 'put a landmark where the cross is', 'landmark'],
+  ['W', 'put a witness where the cross is', 'witness'],
   ['Delete', 'remove the selected point', 'edits'],
   ['Space', 'take the selected landmark into the question why, or out of it', 'why'],
   ['Escape', 'select nothing; the cross stays there'],
   ['Ctrl+Z', 'undo', 'edits'],
 ];
+
+/** Layers that are about witnesses. */
+const WITNESSED: readonly Layer[] = ['complex', 'lists', 'cover'];
 
 function button(label: string, title: string): HTMLButtonElement {
   return make('button', { type: 'button', class: 'button', title }, label);
@@ -189,22 +193,28 @@ export function arrange(parts: SketchParts, { offer, layers, farthestFirst }: Ar
   for (const name of ['edits', 'nu', 'layers', 'why', 'clear'] as const) parts[name].hidden = !offers(name);
   parts.remove.hidden = parts.undo.hidden = !offers('edits');
   parts.steps.hidden = !farthestFirst;
-  for (const { needs, row } of parts.keyRows)
-    for (const cell of row) cell.hidden = needs !== undefined && !offers(needs);
-  const tool = (name: Tool, there: boolean): void => {
-    const radio = parts.tools.get(name);
-    radio?.parentElement?.toggleAttribute('hidden', !there);
-    // A tool that is out of sight is out of hand.
-    if (radio?.checked && !there) (parts.tools.get('move') ?? radio).checked = true;
-  };
-  tool('landmark', !farthestFirst);
-  tool('ask', offers('why'));
   const switchable = layers === null ? LAYERS : layersIn(layers);
   for (const [layer, box] of parts.layerBoxes)
     box.parentElement?.toggleAttribute(
       'hidden',
       !switchable.includes(layer) || (layer === 'cover' && !farthestFirst),
     );
+  const tools: Readonly<Record<Tool, boolean>> = {
+    move: true,
+    landmark: offers('edits') && !farthestFirst,
+    // Where nothing shows what witnesses say there are none yet.
+    witness: offers('edits') && switchable.some((layer) => WITNESSED.includes(layer)),
+    ask: offers('why'),
+  };
+  for (const [name, radio] of parts.tools) {
+    radio.parentElement?.toggleAttribute('hidden', !tools[name]);
+    // A tool that is out of sight is out of hand.
+    if (radio.checked && !tools[name]) (parts.tools.get('move') ?? radio).checked = true;
+  }
+  for (const { needs, row } of parts.keyRows) {
+    const there = needs === undefined || (needs in tools ? tools[needs as Tool] : offers(needs as Offer));
+    for (const cell of row) cell.hidden = !there;
+  }
   const editable = offers('edits');
   parts.board.svg.classList.toggle('fixed', !editable);
   parts.board.svg.classList.toggle('answers', offers('why'));
