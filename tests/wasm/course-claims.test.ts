@@ -1,7 +1,7 @@
 // What the course says in numbers is computed here, from the figures as the pages have them.
 import { readFileSync, readdirSync } from 'node:fs';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { COURSE_PAGES, coursePage } from '../../web/course/pages.ts';
+import { COURSE_FILES, COURSE_PAGES, coursePage, FORMULAS } from '../../web/course/pages.ts';
 import { PlateauClient, type RemoteRun } from '../../web/src/client/plateau-client.ts';
 import { shownFamilyName } from '../../web/src/model/record.ts';
 import { InProcessWorker } from '../../web/src/package/in-process.ts';
@@ -9,7 +9,7 @@ import { SETTABLE } from '../../web/src/course/links.ts';
 import { ClientPlaneCore } from '../../web/src/sketch/client-plane-core.ts';
 import { questionOf } from '../../web/src/sketch/computation.ts';
 import type { FarthestOrder, PlanePicture } from '../../web/src/sketch/plane.ts';
-import { parsePoints } from '../../web/src/sketch/points.ts';
+import { drawn, parsePoints, type Point } from '../../web/src/sketch/points.ts';
 import { stateFrom } from '../../web/src/sketch/sketch-state.ts';
 import type { Delta, Family, RunOptions } from '../../web/src/worker/protocol.ts';
 
@@ -62,6 +62,14 @@ class Calculator extends ClientPlaneCore {
     return known;
   }
 
+  /** With the landmark a put in, too. */
+  async bothWays(id: string): Promise<[PlanePicture, PlanePicture]> {
+    const { picture } = await this.sketch(id);
+    const extra = parsePoints(attributesOf(id)('extra') ?? '');
+    const { landmarks } = picture.question;
+    return [picture, await this.picture({ ...picture.question, landmarks: [...landmarks, ...extra] })];
+  }
+
   private async draw(id: string): Promise<{ picture: PlanePicture; scale?: FarthestOrder }> {
     const read = attributesOf(id);
     const state = stateFrom(read);
@@ -101,15 +109,13 @@ class Calculator extends ClientPlaneCore {
     return deltas.flatMap(({ betti }) => [...betti]).slice((step - 1) * bettiCount, step * bettiCount);
   }
 
-  /** Betti numbers of the longest plateau of a kind; any kind unless named. */
-  async longest(id: string, family?: string): Promise<string> {
+  /** Betti numbers of the longest plateau of a kind. */
+  async longest(id: string, family: string): Promise<string> {
     const { run } = await this.run(id);
     const plateaus = await run.fetchPlateaus();
     const { bettiCount } = run.opened;
     await run.close();
-    const best = [...plateaus.ranked].find(
-      (i) => family === undefined || shownFamilyName(plateaus.family[i] ?? 0) === family,
-    );
+    const best = [...plateaus.ranked].find((i) => shownFamilyName(plateaus.family[i] ?? 0) === family);
     if (best === undefined) return 'none';
     return [...plateaus.betti.subarray(best * bettiCount, (best + 1) * bettiCount)].join();
   }
@@ -121,7 +127,33 @@ const ofPicture =
   async (core, id) =>
     read((await core.sketch(id)).picture) ?? NaN;
 
-const PLAIN: RunOptions = { family: 'delaunay', nu: [1, 2, 3, 4] };
+const names = ({ edges }: PlanePicture): string[] => edges.map(({ vertices }) => vertices.join());
+
+/** Loops of a complex without triangles that an edge of the other one closes, or without which it is open. */
+function loopsOnlyIn(one: PlanePicture, other: PlanePicture): number {
+  if (one.triangles.length > 0) return NaN;
+  const shared = one.edges.filter(({ vertices }) => names(other).includes(vertices.join()));
+  const group = new Map<number, number>();
+  const root = (vertex: number): number => {
+    const next = group.get(vertex);
+    return next === undefined ? vertex : root(next);
+  };
+  let loops = 0;
+  for (const { vertices } of shared) {
+    const [a = 0, b = 0] = vertices.map(root);
+    if (a === b) loops += 1;
+    else group.set(a, b);
+  }
+  return (one.betti[1] ?? NaN) - loops;
+}
+
+const walk = (places: readonly Point[]): number =>
+  places
+    .slice(1)
+    .reduce((sum, { x, y }, i) => sum + Math.hypot(x - (places[i]?.x ?? x), y - (places[i]?.y ?? y)), 0);
+/** "About" is to the nearest five. */
+const about = (value: number): number => 5 * Math.round(value / 5);
+
 const RELAXED: RunOptions = { family: 'delaunay', nu: [1, 6, 6, 4] };
 /** By the second word of a claim; the first names the figure. */
 const COMPUTED: Readonly<Record<string, Compute>> = {
@@ -136,11 +168,25 @@ const COMPUTED: Readonly<Record<string, Compute>> = {
   step: (_, id) => Promise.resolve(Number(attributesOf(id)('step'))),
   epsilon: async (core, id, [step = '1']) =>
     Number(((await core.sketch(id)).scale?.epsilon[Number(step) - 1] ?? NaN).toPrecision(3)),
-  'plain-loops': async (core, id) => (await core.bettiAtStep(id, PLAIN))[1] ?? NaN,
+  'inner-landmarks': ofPicture(({ question: { landmarks }, delaunayTriangles }) => {
+    const n = landmarks.length;
+    return n - (2 * n - 2 - delaunayTriangles.length);
+  }),
+  length: ofPicture(({ question }) => about(walk(question.witnesses))),
+  'loops-lost': async (core, id) => {
+    const [before, after] = await core.bothWays(id);
+    return loopsOnlyIn(before, after);
+  },
+  'loops-born': async (core, id) => {
+    const [before, after] = await core.bothWays(id);
+    return loopsOnlyIn(after, before);
+  },
+  points: (_, id) => Promise.resolve(Number(attributesOf(id)('size'))),
+  factor: (_, __, [length = '0']) => Promise.resolve(Number(Math.exp(Number(length)).toPrecision(3))),
+  'relaxed-loops': async (core, id) => (await core.bettiAtStep(id, RELAXED))[1] ?? NaN,
   'relaxed-voids': async (core, id) => (await core.bettiAtStep(id, RELAXED))[2] ?? NaN,
   'longest-surface': (core, id) => core.longest(id, 'surface'),
   'longest-complex': (core, id) => core.longest(id, 'delaunay'),
-  longest: (core, id) => core.longest(id),
 };
 
 let core: Calculator;
@@ -162,7 +208,8 @@ describe('what the course says', () => {
     expect(String(await compute(core, id, rest))).toBe(value);
     const number = Number(value);
     const spoken = Number.isInteger(number) ? (WORDS[number] ?? value) : value;
-    expect([value, spoken, value.replaceAll(',', ', ')]).toContain(text);
+    const grouped = Number.isNaN(number) ? value.replaceAll(',', ', ') : number.toLocaleString('en');
+    expect([value, spoken, grouped]).toContain(text);
   });
 
   test('more generous witnesses let both diagonals in, which the triangulation does not', async () => {
@@ -173,6 +220,36 @@ describe('what the course says', () => {
     };
     expect(await across(true)).toEqual(['0,2']);
     expect(await across(false)).toEqual(['0,2', '1,3']);
+  });
+
+  test('of two diagonals almost on a circle one has a cell of order two', async () => {
+    const { picture } = await core.sketch('circle');
+    const pairs = picture.pairCells.filter(drawn).map(({ of }) => of.join());
+    expect(pairs.filter((pair) => pair === '0,2' || pair === '1,3')).toEqual(['0,2']);
+  });
+
+  test('p3 towards the middle opens that cell, p3 away from it closes it for the other diagonal', async () => {
+    const { picture } = await core.sketch('circle');
+    const { landmarks, witnesses } = picture.question;
+    const third = landmarks[2];
+    const withThird = async (place: Point): Promise<PlanePicture> => {
+      // It is a witness as well, which goes with it.
+      const moved = (points: readonly Point[]): Point[] =>
+        points.map((point) => (point.x === third?.x && point.y === third.y ? place : point));
+      return core.picture({ ...picture.question, landmarks: moved(landmarks), witnesses: moved(witnesses) });
+    };
+    const inwards = await withThird({ x: 76, y: 58 });
+    expect([inwards.edges.length, inwards.triangles.length]).toEqual([5, 2]);
+    for (const outwards of [await withThird({ x: 86, y: 68 }), await withThird({ x: 92, y: 74 })]) {
+      expect([outwards.edges.length, outwards.triangles.length]).toEqual([4, 0]);
+      expect(outwards.delaunayEdges.map((edge) => edge.join())).toContain('1,3');
+    }
+  });
+
+  test('the fake plateau is none: equal numbers, another complex', async () => {
+    const [before, after] = await core.bothWays('fake');
+    expect(after.betti).toEqual(before.betti);
+    expect(names(before).filter((name) => !names(after).includes(name))).toHaveLength(1);
   });
 
   test('the links in the teachers’ document set what there is', () => {
@@ -201,18 +278,41 @@ describe('what the course says', () => {
 });
 
 describe('the pages', () => {
-  test('are whole: each of the list has its file, two tasks, a figure, and no comment is left', () => {
+  const built = new Map(
+    COURSE_FILES.map((file) => [file, coursePage(pages.get(`${file}.html`) ?? '', file)]),
+  );
+
+  test('are whole: each of the list has its file, two tasks, a figure, and its place in the list', () => {
     for (const { file, title } of COURSE_PAGES) {
-      const html = coursePage(pages.get(`${file}.html`) ?? '', file);
+      const html = built.get(file) ?? '';
       expect(html).toContain(`${title}</h1>`);
       expect(html.match(/class="task"/g)?.length ?? 0, file).toBeGreaterThanOrEqual(2);
       expect(html).toMatch(/<plane-sketch|<plateau-view/);
-      expect(html).not.toContain('<!--');
       expect(html).toMatch(/aria-current="page"/);
     }
   });
 
-  test('an unknown formula is a fault of the build', () => {
+  test('have a name and a text, and no comment is left', () => {
+    expect([...built.keys()].sort()).toEqual(files.map((name) => name.replace('.html', '')).sort());
+    for (const [file, html] of built) {
+      expect(html, file).toMatch(/<h1>[^<]+<\/h1><(p|ol)/);
+      expect(html, file).not.toContain('<!--');
+    }
+  });
+
+  test('leave a frame where they lead out of the course, and stay in it elsewhere', () => {
+    const anchors = [...built.values()].flatMap((html) => html.match(/<a\s[^>]*>/g) ?? []);
+    expect(anchors.length).toBeGreaterThan(80);
+    for (const anchor of anchors)
+      expect(anchor.includes('target="_top"'), anchor).toBe(/\shref="(\.\.|https:)/.test(anchor));
+  });
+
+  test('an unknown formula, or an unknown page, is a fault of the build', () => {
     expect(() => coursePage('<title>x</title><!-- math: nothing -->', 'x')).toThrow(/no formula "nothing"/);
+    expect(() => coursePage('<p>x</p>', 'x')).toThrow(/no page "x"/);
+  });
+
+  test('use every formula that there is', () => {
+    for (const name of Object.keys(FORMULAS)) expect(everything).toContain(`<!-- math: ${name} -->`);
   });
 });

@@ -60,9 +60,14 @@ async function ringOf(page: Page, landmark: number): Promise<{ x: number; y: num
   await expect(sheet(page)).toContainText(`Landmark ${landmark} is`);
   const ring = marks(page, 'asked');
   await expect(ring).toBeVisible();
-  const box = await ring.boundingBox();
-  if (!box) throw new Error('no ring');
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  // It is drawn anew with every picture of the shape.
+  let place = { x: 0, y: 0 };
+  await expect(async () => {
+    const { x, y, width, height } = (await ring.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+    expect(width).toBeGreaterThan(0);
+    place = { x: x + width / 2, y: y + height / 2 };
+  }).toPass();
+  return place;
 }
 
 test('by mouse: a landmark, another one with shift, nothing beside the shape', async ({ page }) => {
@@ -86,6 +91,29 @@ test('by mouse: a landmark, another one with shift, nothing beside the shape', a
   await page.mouse.move(seven.x + 40, seven.y + 20, { steps: 3 });
   await page.mouse.up();
   await expect(landmarks(page)).toHaveValue('7, 12');
+});
+
+test.describe('by finger', () => {
+  test.use({ hasTouch: true });
+
+  test('a landmark, and another one once Add is ticked; closed, it begins afresh', async ({ page }) => {
+    await openPaused(page, 'circle-noise', 150);
+    await toStep(page, 30);
+    await page.getByRole('button', { name: 'Why?' }).tap();
+    const seven = await ringOf(page, 7);
+    const twelve = await ringOf(page, 12);
+    await page.touchscreen.tap(seven.x, seven.y);
+    await expect(landmarks(page)).toHaveValue('7');
+    await page.getByLabel('Add to the question').tap();
+    await page.touchscreen.tap(twelve.x, twelve.y);
+    await expect(landmarks(page)).toHaveValue('7, 12');
+    await expect(sheet(page)).toContainText('The edge of landmarks 7 and 12');
+    await page.touchscreen.tap(seven.x, seven.y);
+    await expect(landmarks(page)).toHaveValue('12');
+    await page.getByRole('button', { name: 'Close the answer' }).tap();
+    await page.getByRole('button', { name: 'Why?' }).tap();
+    await expect(page.getByLabel('Add to the question')).not.toBeChecked();
+  });
 });
 
 test('by mouse: what is clicked on a surface lies on it', async ({ page }) => {

@@ -83,9 +83,8 @@ const distance = (a: string, b: string): string =>
 const corner = '<msub><mi>p</mi><mi>i</mi></msub>';
 
 /** Formulas by name, as `<!-- math: name -->`. */
-const FORMULAS: Readonly<Record<string, string>> = {
+export const FORMULAS: Readonly<Record<string, string>> = {
   L: '<mi>L</mi>',
-  W: '<mi>W</mi>',
   w: '<mi>w</mi>',
   D: of('<mi>D</mi>'),
   DS: of('<msup><mi>D</mi><mi>S</mi></msup>'),
@@ -93,9 +92,7 @@ const FORMULAS: Readonly<Record<string, string>> = {
   CW: of(witnessComplex),
   CW_in_D: row(of(witnessComplex), '<mo>⊆</mo>', of('<mi>D</mi>')),
   CNU: of(relaxed),
-  CNUD: row(of(relaxed), '<mo>∩</mo>', of('<mi>D</mi>')),
   surface: '<mover><mi>S</mi><mo>^</mo></mover>',
-  nu: '<mi>ν</mi>',
   nu1: '<msub><mi>ν</mi><mn>1</mn></msub>',
   nuk: '<msub><mi>ν</mi><mi>k</mi></msub>',
   nu123: row('<mi>ν</mi><mo>=</mo>', list(1, 2, 3)),
@@ -103,23 +100,19 @@ const FORMULAS: Readonly<Record<string, string>> = {
   nu1234: row('<mi>ν</mi><mo>=</mo>', list(1, 2, 3, 4)),
   nu1664: row('<mi>ν</mi><mo>=</mo>', list(1, 6, 6, 4)),
   epsilon: '<mi>ε</mi>',
+  overEpsilon: row('<mn>1</mn><mo>/</mo>', of('<mi>ε</mi>', '<mi>i</mi>')),
   delta: '<mi>δ</mi>',
   epsiloni: of('<mi>ε</mi>', '<mi>i</mi>'),
   Li: of('<mi>L</mi>', '<mi>i</mi>'),
   beta0: beta(0),
   beta1: beta(1),
   beta2: beta(2),
-  beta3: beta(3),
   k: '<mi>k</mi>',
-  kplus1: row('<mi>k</mi><mo>+</mo><mn>1</mn>'),
-  sigma: '<mi>σ</mi>',
   zeta: '<mi>ζ</mi>',
   Wzeta: '<msup><mi>W</mi><mi>ζ</mi></msup>',
   omega: of('<mi>ω</mi>', '<mi>p</mi>'),
-  Rd: '<msup><mi>ℝ</mi><mi>d</mi></msup>',
   R3: '<msup><mi>ℝ</mi><mn>3</mn></msup>',
   R4: '<msup><mi>ℝ</mi><mn>4</mn></msup>',
-  S3: '<msup><mi>S</mi><mn>3</mn></msup>',
   euler: row('<mi>χ</mi><mo>=</mo>', beta(0), '<mo>−</mo>', beta(1), '<mo>+</mo>', beta(2)),
   triangles: row('<mn>2</mn><mi>n</mi><mo>−</mo><mn>2</mn><mo>−</mo><mi>h</mi>'),
   edges: row('<mn>3</mn><mi>n</mi><mo>−</mo><mn>3</mn><mo>−</mo><mi>h</mi>'),
@@ -146,6 +139,10 @@ function formula(name: string): string {
   if (found === undefined) throw new Error(`There is no formula "${name}".`);
   return math(found);
 }
+
+/** What leads out of the course leads out of the frame that a page may stand in: elsewhere none is allowed. */
+const outward = (html: string): string =>
+  html.replace(/<a(?=[^>]*\shref="(?:\.\.|https:))/g, '<a target="_top"');
 
 const link = (href: string, text: string, more = ''): string => `<a href="${href}"${more}>${text}</a>`;
 
@@ -212,6 +209,6 @@ export function coursePage(text: string, file: string): string {
   return `<!doctype html>
 <html lang="en">
   ${head(page.title, page.description)}
-  <body>${top(current, shown)}${whole}${end(current)}</body>
+  <body>${outward(top(current, shown) + whole + end(current))}</body>
 </html>`;
 }

@@ -14,6 +14,7 @@ const SETTLED_MS = 150;
 export class WhySheet {
   private readonly dialog = byId('why', HTMLDialogElement);
   private readonly field = byId('why-landmarks', HTMLInputElement);
+  private readonly adds = byId('why-add', HTMLInputElement);
   private readonly answer = byId('why-answer', HTMLElement);
   private readonly button = byId('open-why', HTMLButtonElement);
   private readonly shape = byId('shape', HTMLElement);
@@ -70,6 +71,7 @@ export class WhySheet {
     const hadFocus = this.dialog.contains(document.activeElement);
     this.dialog.close();
     this.button.setAttribute('aria-expanded', 'false');
+    this.adds.checked = false;
     this.mark(undefined);
     if (hadFocus) this.button.focus();
   }
@@ -84,12 +86,14 @@ export class WhySheet {
     const { left, top } = this.shape.getBoundingClientRect();
     const steps = stepsOf(record, picked(record, currentStep, clientX - left, clientY - top, placeOf));
     if (steps.length === 0) return;
-    this.field.value = (shiftKey && this.dialog.open ? this.toggled(steps) : steps).join(', ');
+    // A finger has no shift key.
+    const adding = this.dialog.open && (shiftKey || this.adds.checked);
+    this.field.value = (adding ? this.toggled(steps) : steps).join(', ');
     this.show();
     void this.ask();
   }
 
-  /** With shift, one more landmark or one less; of what was clicked before nothing is lost. */
+  /** One more landmark or one less; of what was clicked before nothing is lost. */
   private toggled(steps: readonly number[]): readonly number[] {
     const before = this.field.value.split(',').map(Number).filter(Boolean);
     const [only] = steps;

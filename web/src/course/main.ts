@@ -12,8 +12,9 @@ import { PLANE_MARKERS } from './plane-markers.ts';
 import { offerTasks } from './tasks.ts';
 import { VIEW_MARKERS } from './view-markers.ts';
 
-/** Some browsers refuse in frames, and none has a clipboard without https: the address bar has it all the same. */
+/** In a frame of another site browsers refuse, with a complaint of their own; and none has a clipboard without https. */
 async function copied(text: string): Promise<boolean> {
+  if (window.parent !== window) return false;
   try {
     await navigator.clipboard.writeText(text);
     return true;
@@ -22,19 +23,28 @@ async function copied(text: string): Promise<boolean> {
   }
 }
 
-/** Under each figure: the address of this page with the figure as it is. */
+/** Under each figure: the address of this page with the figure as it is; to be copied by hand where a button may not. */
 function offerLinks(): void {
   for (const element of document.querySelectorAll('plane-sketch, plateau-view')) {
     const button = make('button', { type: 'button', class: 'button' }, 'Link to this state');
     const said = make('span', { role: 'status' });
+    const field = make('input', {
+      type: 'text',
+      readonly: '',
+      hidden: '',
+      'aria-label': 'Link to this state',
+    });
     button.addEventListener('click', () => {
       const address = linkTo(element);
       history.replaceState(null, '', address);
       void copied(address).then((done) => {
-        said.textContent = done ? 'Copied; it is also in the address bar.' : 'It is in the address bar now.';
+        said.textContent = done ? 'Copied.' : 'Copy it from here:';
+        field.hidden = done;
+        field.value = address;
+        if (!done) field.select();
       });
     });
-    element.closest('figure')?.append(make('p', { class: 'figure-link' }, button, said));
+    element.closest('figure')?.append(make('p', { class: 'figure-link' }, button, said, field));
   }
 }
 

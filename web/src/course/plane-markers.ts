@@ -1,213 +1,236 @@
 import { counted, readable } from '../model/numbers.ts';
 import { bettiInWords } from '../model/words.ts';
+import { namesOf, witnessName } from '../sketch/names.ts';
+import type { PlaneSketchElement } from '../sketch/plane-sketch-element.ts';
 import type { PlanePicture } from '../sketch/plane.ts';
-import { landmarkName, reasonInWords, simplexName, witnessName } from '../sketch/sketch-words.ts';
+import { samePlace, type Point } from '../sketch/points.ts';
+import { PLAIN_NU } from '../sketch/sketch-state.ts';
+import { reasonInWords, simplexName } from '../sketch/sketch-words.ts';
 import { sketchOf } from './figures.ts';
-import { numberIn, numbersIn, same, type Mark, type Marker } from './marking.ts';
+import { marked, numberIn, numbersIn, same, undecided, type Mark, type Marker } from './marking.ts';
+
+type Ask = (answer: string, sketch: PlaneSketchElement, picture: PlanePicture) => Promise<Mark> | Mark;
+
+/** Of a sketch once the core has said all about it. */
+function ofSketch(ask: Ask): Marker {
+  return async (answer, figure) => {
+    const sketch = sketchOf(figure);
+    await sketch.settled();
+    const { picture } = sketch;
+    return picture ? ask(answer, sketch, picture) : undecided('The figure shows nothing.');
+  };
+}
 
 const hasEdge = (edges: readonly (readonly number[])[], edge: readonly number[]): boolean =>
   edges.some((other) => same(other, edge));
 const edgesOf = (picture: PlanePicture): number[][] => picture.edges.map(({ vertices }) => [...vertices]);
+const ascending = (numbers: readonly number[]): number[] => [...numbers].sort((a, b) => a - b);
+/** "p1 p3" of a picture. */
+const edgeName = ({ question }: PlanePicture, edge: readonly number[]): string =>
+  edge.map(namesOf(question)).join(' ');
 
-async function diagonal(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
-  const { picture } = sketch;
-  const asked = answer.split(' ').map(Number);
-  if (!picture || asked.length !== 2) return { right: false, reason: 'Choose one of the two.' };
-  sketch.showLayer('delaunay');
-  const right = hasEdge(picture.delaunayEdges, asked);
-  const other = asked[0] === 0 ? [1, 3] : [0, 2];
-  const out = right ? other : asked;
-  const reason = await sketch.why(out);
-  const both = !right && !hasEdge(picture.delaunayEdges, other);
-  return { right, reason: both ? 'Neither is one now.' : reasonInWords(out, reason) };
-}
-
-async function trianglesAfter(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
-  const [without, within] = await Promise.all([
+/** What the figure would be without the landmark a, and with it. */
+async function bothWays(sketch: PlaneSketchElement): Promise<[PlanePicture, PlanePicture]> {
+  return Promise.all([
     sketch.ask(sketch.question({ withExtra: false })),
     sketch.ask(sketch.question({ withExtra: true })),
   ]);
+}
+
+const diagonal: Ask = async (answer, sketch, { delaunayEdges, question }) => {
+  const asked = answer.split(' ').map(Number);
+  const right = hasEdge(delaunayEdges, asked);
+  const other = asked[0] === 0 ? [1, 3] : [0, 2];
+  if (!right && !hasEdge(delaunayEdges, other)) return marked(false, 'Neither is one now.');
+  // Whoever is right is shown it.
+  if (right) sketch.showLayer('delaunay');
+  const out = right ? other : asked;
+  // Where every landmark is a witness only the triangulation is in question.
+  const reason = await sketch.why(out, { ...question, witnesses: question.landmarks });
+  return marked(right, reasonInWords(out, reason, namesOf(question)));
+};
+
+const trianglesAfter: Ask = async (answer, sketch) => {
+  const [without, within] = await bothWays(sketch);
   const [before, after] = [without.delaunayTriangles.length, within.delaunayTriangles.length];
   const n = within.question.landmarks.length;
   const rim = 2 * n - 2 - after;
-  const reason = `With a there are ${n} landmarks, ${rim} of them on the rim: 2 · ${n} − 2 − ${rim} = ${after} triangles, after ${before}.`;
-  return { right: numberIn(answer) === after, reason };
-}
-
-async function witnessedEdge(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
-  const list = sketch.picture?.lists[1] ?? [];
-  if (list.length < 2) return { right: false, reason: 'The figure has no w2, or fewer than two landmarks.' };
-  const right = same(
-    numbersIn(answer).sort((a, b) => a - b),
-    list
-      .slice(0, 2)
-      .map((index) => index + 1)
-      .sort((a, b) => a - b),
+  return marked(
+    numberIn(answer) === after,
+    `With a there are ${n} landmarks, ${rim} of them on the rim: 2 · ${n} − 2 − ${rim} = ${after} triangles, after ${before}.`,
   );
-  return {
-    right,
-    reason: `The nearest landmarks of w2 are ${list.map(landmarkName).join(', ')}, in this order.`,
-  };
-}
+};
 
-async function withoutFirst(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
+const witnessedEdge: Ask = (answer, _, { lists, question }) => {
+  const list = lists[1] ?? [];
+  if (list.length < 2) return undecided('The figure has no w2, or fewer than two landmarks.');
+  const nearest = list.slice(0, 2).map((index) => index + 1);
+  return marked(
+    same(ascending(numbersIn(answer)), ascending(nearest)),
+    `The nearest landmarks of w2 are ${list.map(namesOf(question)).join(', ')}, in this order.`,
+  );
+};
+
+const withoutFirst: Ask = async (answer, sketch, now) => {
   const { witnesses } = sketch.state;
-  const now = sketch.picture;
-  if (!now || witnesses.length === 0) return { right: false, reason: 'The figure has no witness.' };
-  const then = await sketch.ask(sketch.question({ witnesses: witnesses.slice(1) }));
-  const kept = edgesOf(then);
+  if (witnesses.length === 0) return undecided('The figure has no witness.');
+  const kept = edgesOf(await sketch.ask(sketch.question({ witnesses: witnesses.slice(1) })));
   const gone = edgesOf(now).filter((edge) => !hasEdge(kept, edge));
-  const because =
-    gone.length > 0 ? `, for ${gone.map(simplexName).join(' and ')} would go with its only witness` : '';
-  return {
-    right: numberIn(answer) === kept.length,
-    reason: `Without w1 there would be ${counted(kept.length, 'edge')} instead of ${now.edges.length}${because}.`,
-  };
+  const names = gone.map((edge) => simplexName(edge, namesOf(now.question)));
+  const because = gone.length > 0 ? `, for ${names.join(' and ')} would go with its only witness` : '';
+  return marked(
+    numberIn(answer) === kept.length,
+    `Without w1 there would be ${counted(kept.length, 'edge')} instead of ${now.edges.length}${because}.`,
+  );
+};
+
+/** What a page asks for holds for its plain complex alone: a larger ν would make it trivial. */
+function notPlain(sketch: PlaneSketchElement): Mark | undefined {
+  if (!same(sketch.state.nu, PLAIN_NU)) return marked(false, `With ν = (${PLAIN_NU.join(', ')}), please.`);
+  return sketch.getAttribute('complex') === 'whole'
+    ? marked(false, 'With only Delaunay simplices, please.')
+    : undefined;
 }
 
-async function someTriangle(_: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
-  const triangle = sketch.picture?.delaunayTriangles[0];
-  if (!sketch.picture || !triangle)
-    return {
-      right: false,
-      reason: 'There is no Delaunay triangle: three landmarks that are not on a line are needed.',
-    };
-  const found = sketch.picture.triangles[0]?.vertices;
-  const asked = found ?? triangle;
+const CORNERS: readonly number[] = [0, 1, 2];
+
+/** The triangle of the first three landmarks; how many witnesses that took, and how many it takes. */
+const namedTriangle: Ask = async (_, sketch, { question, triangles }) => {
+  const refused = notPlain(sketch);
+  if (refused) return refused;
+  const { landmarks, witnesses } = sketch.state;
+  if (landmarks.length < CORNERS.length) return undecided('The figure has no p3.');
+  sketch.inspect(CORNERS);
+  const reason = reasonInWords(CORNERS, await sketch.why(CORNERS), namesOf(question));
+  if (!triangles.some(({ vertices }) => same(vertices, CORNERS))) return marked(false, reason);
+  const isLandmark = (place: Point): boolean => landmarks.some((other) => samePlace(other, place));
+  const own = witnesses.filter(isLandmark);
+  if (own.length < landmarks.length) return marked(true, reason);
+  // Each landmark bears witness for itself; a witness more has two nearest landmarks, and so serves one edge.
+  const before = await sketch.ask(sketch.question({ witnesses: own }));
+  const missing = 3 - edgesOf(before).filter((edge) => edge.every((end) => CORNERS.includes(end))).length;
+  const added = witnesses.length - own.length;
+  const few = added > missing ? `${missing} would have been enough` : 'no fewer would do';
+  return marked(true, `${reason} You added ${counted(added, 'witness', 'witnesses')}; ${few}.`);
+};
+
+/** Any triangle, with the plain complex. */
+const someTriangle: Ask = async (_, sketch, { question, triangles, delaunayTriangles }) => {
+  const refused = notPlain(sketch);
+  if (refused) return refused;
+  const asked = triangles[0]?.vertices ?? delaunayTriangles[0];
+  if (!asked)
+    return marked(false, 'There is no Delaunay triangle: three landmarks that are not on a line are needed.');
   sketch.inspect(asked);
-  return { right: found !== undefined, reason: reasonInWords(asked, await sketch.why(asked)) };
+  return marked(triangles.length > 0, reasonInWords(asked, await sketch.why(asked), namesOf(question)));
+};
+
+/** Of four places the two pairs that lie opposite each other, whichever order they come in. */
+export function pairsAcross(places: readonly Point[]): number[][] {
+  const [x, y] = [places.reduce((sum, p) => sum + p.x, 0) / 4, places.reduce((sum, p) => sum + p.y, 0) / 4];
+  const turn = ({ x: px, y: py }: Point): number => Math.atan2(py - y, px - x);
+  const around = places.map((place, index) => ({ index, at: turn(place) })).sort((a, b) => a.at - b.at);
+  const [a, b, c, d] = around.map(({ index }) => index);
+  return a === undefined || b === undefined || c === undefined || d === undefined
+    ? []
+    : [ascending([a, c]), ascending([b, d])];
 }
 
-/** Pairs that lie opposite each other, in the order of the landmarks around the figure. */
-const ACROSS: readonly (readonly number[])[] = [
-  [0, 2],
-  [1, 3],
-];
-const MOST_RANKS = 12;
-
-async function leastNu(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
+const leastNu: Ask = async (answer, sketch) => {
   const { nu, landmarks } = sketch.state;
-  for (let rank = 2; rank <= Math.min(MOST_RANKS, landmarks.length); ++rank) {
+  if (landmarks.length !== 4)
+    return undecided('Opposite are two of four landmarks: the figure has another number.');
+  const across = pairsAcross(landmarks);
+  for (let rank = 2; rank <= landmarks.length; ++rank) {
     const picture = await sketch.ask(sketch.question({ nu: [nu[0] ?? 1, rank, nu[2] ?? 3] }));
-    const edge = picture.edges.find(({ vertices }) => ACROSS.some((pair) => same(pair, vertices)));
+    const edge = picture.edges.find(({ vertices }) => hasEdge(across, vertices));
     if (!edge) continue;
+    const name = simplexName(edge.vertices, namesOf(picture.question));
     const [first = 0] = edge.witnesses;
-    const reason = `With ν₁ = ${rank} the ${simplexName(edge.vertices)} has ${counted(edge.witnesses.length, 'witness', 'witnesses')}, ${witnessName(first)} among them; with less no edge across has one.`;
-    return { right: numberIn(answer) === rank, reason };
+    return marked(
+      numberIn(answer) === rank,
+      `With ν₁ = ${rank} the ${name} has ${counted(edge.witnesses.length, 'witness', 'witnesses')}, ${witnessName(first)} among them; with less no edge across has one.`,
+    );
   }
-  return {
-    right: false,
-    reason: 'No number is large enough: there is no Delaunay edge across, or no witness.',
-  };
-}
+  return undecided('No number is large enough: there is no Delaunay edge across, or no witness.');
+};
 
-async function relaxedTriangles(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
+const relaxedTriangles: Ask = async (answer, sketch) => {
   const picture = await sketch.ask({ ...sketch.question({ nu: [1, 3, 3] }), delaunay: true });
-  const names = picture.triangles.map(({ vertices }) => simplexName(vertices));
+  const names = picture.triangles.map(({ vertices }) => simplexName(vertices, namesOf(picture.question)));
   const which = names.length > 0 ? `: ${names.join(' and ')}` : '';
-  return {
-    right: numberIn(answer) === names.length,
-    reason: `With ν = (1, 3, 3) the complex has ${counted(names.length, 'triangle')}${which}.`,
-  };
-}
+  return marked(
+    numberIn(answer) === names.length,
+    `With ν = (1, 3, 3) the complex has ${counted(names.length, 'triangle')}${which}.`,
+  );
+};
 
-async function nextLandmark(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
-  const { scale } = sketch;
-  const { step } = sketch.state;
-  const next = scale?.order[step];
-  if (!scale || next === undefined)
-    return { right: false, reason: 'There is none left: go back a few steps.' };
-  const epsilon = scale.epsilon[step - 1] ?? 0;
-  return {
-    right: numberIn(answer) === next + 1,
-    reason: `${witnessName(next)} is farthest from all landmarks, at the distance ε = ${readable(epsilon)}.`,
-  };
-}
+/** By its number, as 5 or w5, or by where it is, as 33,17. */
+const nextLandmark: Ask = (answer, { scale, state }) => {
+  const next = scale?.order[state.step];
+  const place = next === undefined ? undefined : state.witnesses[next];
+  if (!scale || next === undefined || !place) return undecided('There is none left: go back a few steps.');
+  const numbers = numbersIn(answer);
+  return marked(
+    same(numbers, [next + 1]) || same(numbers, [place.x, place.y]),
+    `${witnessName(next)} is farthest from all landmarks, at the distance ε = ${readable(scale.epsilon[state.step - 1] ?? 0)}.`,
+  );
+};
 
 const SCALE = 15;
 
-async function stepsToScale(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
-  const epsilon = sketch.scale?.epsilon ?? [];
+const stepsToScale: Ask = (answer, { scale }) => {
+  const epsilon = scale?.epsilon ?? [];
   const steps = epsilon.findIndex((value) => value <= SCALE) + 1;
   const [before = 0, after = 0] = [epsilon[steps - 2], epsilon[steps - 1]];
-  return {
-    right: steps > 0 && numberIn(answer) === steps,
-    reason: `After ${counted(steps - 1, 'landmark')} ε is ${readable(before)}, after ${steps} it is ${readable(after)}.`,
-  };
-}
+  return marked(
+    steps > 0 && numberIn(answer) === steps,
+    `After ${counted(steps - 1, 'landmark')} ε is ${readable(before)}, after ${steps} it is ${readable(after)}.`,
+  );
+};
 
 const isLoop = ({ betti }: PlanePicture): boolean => same(betti, [1, 1]);
 
 /** The last step of the first stretch of steps with one piece and one loop. */
-async function oneLoop(_: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
-  const { state, picture, scale } = sketch;
-  if (!picture || !scale) return { right: false, reason: 'The figure has no steps.' };
-  const at = async (step: number): Promise<PlanePicture> => sketch.ask(sketch.question({ step }));
-  const now = `At step ${state.step} the complex has ${bettiInWords(picture.betti)}`;
-  if (!isLoop(picture)) return { right: false, reason: `${now}.` };
-  const next = await at(state.step + 1);
-  if (isLoop(next)) return { right: false, reason: `${now}, and so it has at the next one.` };
-  return { right: true, reason: `${now}; at step ${state.step + 1} it has ${bettiInWords(next.betti)}.` };
-}
+const oneLoop: Ask = async (_, sketch, picture) => {
+  const { step } = sketch.state;
+  if (!sketch.scale) return undecided('The figure has no steps.');
+  const now = `At step ${step} the complex has ${bettiInWords(picture.betti)}`;
+  if (!isLoop(picture)) return marked(false, `${now}.`);
+  const next = await sketch.ask(sketch.question({ step: step + 1 }));
+  if (isLoop(next)) return marked(false, `${now}, and so it has at the next one.`);
+  return marked(true, `${now}; at step ${step + 1} it has ${bettiInWords(next.betti)}.`);
+};
 
 /** With all witnesses as landmarks there are only edges to nearest neighbors: the longest side of a triangle is none. */
-async function nearestNeighbors(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
+const nearestNeighbors: Ask = async (answer, sketch) => {
   const picture = await sketch.ask(sketch.question({ step: sketch.state.witnesses.length }));
   const can = picture.triangles.length > 0;
-  return {
-    right: answer === (can ? 'yes' : 'no'),
-    reason: `Every witness has one edge, to its nearest neighbor, and the longest side of three points is nobody's shortest way. Here there are ${counted(picture.edges.length, 'edge')} and ${counted(picture.triangles.length, 'triangle')}.`,
-  };
-}
+  return marked(
+    answer === (can ? 'yes' : 'no'),
+    `Every witness has one edge, to its nearest neighbor, and the longest side of three points is nobody's shortest way. Here there are ${counted(picture.edges.length, 'edge')} and ${counted(picture.triangles.length, 'triangle')}.`,
+  );
+};
 
-async function fake(answer: string, figure: string): Promise<Mark> {
-  const sketch = sketchOf(figure);
-  await sketch.settled();
-  const [without, within] = await Promise.all([
-    sketch.ask(sketch.question({ withExtra: false })),
-    sketch.ask(sketch.question({ withExtra: true })),
-  ]);
+const fake: Ask = async (answer, sketch) => {
+  const [without, within] = await bothWays(sketch);
   const [before, after] = [edgesOf(without), edgesOf(within)];
   const gone = before.filter((edge) => !hasEdge(after, edge));
   const born = after.filter((edge) => !hasEdge(before, edge));
-  const names = (edges: number[][]): string =>
-    edges.map((edge) => edge.map(landmarkName).join(' ')).join(', ') || 'none';
-  const a = landmarkName(within.question.landmarks.length - 1);
-  return {
-    right: numberIn(answer) === gone.length,
-    reason: `Gone: ${names(gone)}. Born: ${names(born)}, where ${a} is a. Betti numbers ${without.betti.join(', ')} before and ${within.betti.join(', ')} after.`,
-  };
-}
+  const names = (picture: PlanePicture, edges: number[][]): string =>
+    edges.map((edge) => edgeName(picture, edge)).join(', ') || 'none';
+  return marked(
+    numberIn(answer) === gone.length,
+    `Gone: ${names(without, gone)}. Born: ${names(within, born)}. Betti numbers ${without.betti.join(', ')} before and ${within.betti.join(', ')} after.`,
+  );
+};
 
-/** By the names that the pages have for their tasks. */
-export const PLANE_MARKERS: Readonly<Record<string, Marker>> = {
+const ASKED: Readonly<Record<string, Ask>> = {
   diagonal,
   'triangles-after': trianglesAfter,
   'witnessed-edge': witnessedEdge,
   'without-w1': withoutFirst,
-  'some-triangle': someTriangle,
+  'some-triangle': namedTriangle,
   'open-diagonal': someTriangle,
   'least-nu': leastNu,
   'relaxed-triangles': relaxedTriangles,
@@ -217,3 +240,8 @@ export const PLANE_MARKERS: Readonly<Record<string, Marker>> = {
   pieces: nearestNeighbors,
   fake,
 };
+
+/** By the names that the pages have for their tasks. */
+export const PLANE_MARKERS: Readonly<Record<string, Marker>> = Object.fromEntries(
+  Object.entries(ASKED).map(([name, ask]) => [name, ofSketch(ask)]),
+);

@@ -27,7 +27,9 @@ export function createParts() {
   const shape = createShapeBox('Shape');
   const noShape = make('p', { class: 'note', hidden: '' });
   const empty = make('p', { class: 'note', hidden: '' });
-  const stage = make('div', { class: 'stage' }, shape, noShape, empty);
+  const still = make('canvas', { class: 'still', 'aria-hidden': 'true' });
+  const unopened = make('p', { class: 'note unopened' }, 'Open this figure first, then print.');
+  const stage = make('div', { class: 'stage' }, still, shape, noShape, empty, unopened);
 
   const { bar, readout, status, spoken, buttons } = createTransport();
   const slider = createSlider('Step');
@@ -64,6 +66,8 @@ export function createParts() {
     trouble,
     said,
     dismiss,
+    stage,
+    still,
     shape,
     noShape,
     empty,

@@ -85,6 +85,11 @@ export class PlateauViewElement extends ReflectingElement {
     return (this.viewer?.currentCards ?? []).map((card, i) => plateauDetail(card, i + 1));
   }
 
+  /** @internal Nothing more will come: all plateaus are known. */
+  get finished(): boolean {
+    return this.viewer?.complete ?? false;
+  }
+
   /** Lets the film run, from the beginning if it is at its end. */
   play(): void {
     this.viewer?.play();
@@ -141,6 +146,7 @@ export class PlateauViewElement extends ReflectingElement {
     if (!this.viewer && !this.unsupported) this.build();
     if (!this.viewer) return;
     this.watch.observe(this);
+    addEventListener('beforeprint', this.keepStill);
     this.system.addEventListener('change', this.applyTheme);
     this.schedule();
   }
@@ -148,6 +154,7 @@ export class PlateauViewElement extends ReflectingElement {
   /** @internal */
   disconnectedCallback(): void {
     this.watch.unobserve(this);
+    removeEventListener('beforeprint', this.keepStill);
     this.system.removeEventListener('change', this.applyTheme);
     // An element that is only moved is connected again by then.
     queueMicrotask(() => {
@@ -349,6 +356,7 @@ export class PlateauViewElement extends ReflectingElement {
   }
 
   private readonly applyTheme = (): void => this.viewer?.applyTheme();
+  private readonly keepStill = (): void => this.viewer?.keepStill();
 }
 
 declare global {

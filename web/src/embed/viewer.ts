@@ -94,6 +94,11 @@ export class Viewer {
     return this.cards;
   }
 
+  /** Nothing more will come. */
+  get complete(): boolean {
+    return this.cardsComplete;
+  }
+
   get playing(): boolean {
     return this.film.playing || this.playsWhenSeen;
   }
@@ -149,6 +154,7 @@ export class Viewer {
     this.arrivedAt = '';
     this.playsWhenSeen = false;
     this.pose = undefined;
+    this.still = false;
     this.destination = destination;
     this.screen.setRecord(feed.record);
     this.announcer.restart();
@@ -227,6 +233,20 @@ export class Viewer {
     this.screen.diagram.dispose();
   }
 
+  /** What is drawn stays to be seen where there is no graphics card: out of view, and on paper. */
+  keepStill(): void {
+    const picture = this.screen.shape?.picture();
+    if (!picture) return;
+    const { still } = this.parts;
+    [still.width, still.height] = [picture.width, picture.height];
+    still.getContext('2d')?.drawImage(picture, 0, 0);
+    this.still = true;
+  }
+
+  private set still(there: boolean) {
+    this.parts.stage.toggleAttribute('data-still', there);
+  }
+
   private takeWheel(takes: boolean): void {
     if (this.screen.shape) this.screen.shape.wheelZooms = takes;
   }
@@ -238,8 +258,10 @@ export class Viewer {
     if (wanted === (screen.shape !== undefined)) return;
     if (!wanted) {
       this.pose = screen.shape?.pose;
+      this.keepStill();
       screen.shape?.dispose();
       screen.shape = undefined;
+      delete parts.stage.dataset['live'];
       return;
     }
     const shape = shapeViewIn(parts.shape, parts.noShape);
@@ -249,6 +271,7 @@ export class Viewer {
       return;
     }
     screen.shape = shape;
+    parts.stage.dataset['live'] = '';
     shape.wheelZooms = parts.shape.matches(':focus');
     if (!this.record) return;
     shape.setRecord(this.record);
@@ -321,6 +344,8 @@ export class Viewer {
     this.transport.showStep(summary);
     this.arriveAt(card);
     this.status.show(record, summary, this.film.playing || this.destination !== undefined);
+    // A picture of another step would lie.
+    if (other && !this.screen.shape) this.still = false;
     if (other) this.listener.stepped(summary);
   }
 

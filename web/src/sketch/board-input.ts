@@ -8,6 +8,8 @@ export type Tool = 'move' | 'landmark' | 'witness' | 'ask';
 /** What the board's hands can do; each says itself what came of it. */
 export interface BoardActions {
   readonly tool: () => Tool;
+  /** Otherwise a press selects, and keys and fingers that would change something are left to the page. */
+  readonly editable: () => boolean;
   select(name: PointName | undefined): void;
   /** The next point, or the one before. */
   step(forward: boolean): void;
@@ -62,12 +64,13 @@ export function listenToPointers(board: Board, actions: BoardActions): void {
     held.moved ||= Math.hypot(place.x - held.from.x, place.y - held.from.y) > STILL;
     if (held.moved) actions.drag(onBoard(place.x, place.y));
   });
-  // A finger on a point moves it; anywhere else it scrolls the page.
+  // A finger on a point that can be moved moves it; anywhere else it scrolls the page.
   svg.addEventListener(
     'touchstart',
     (event) => {
+      if (!actions.editable() || actions.tool() === 'ask') return;
       const target = board.targetOf(event);
-      if (target && target.kind !== 'simplex' && actions.tool() !== 'ask') event.preventDefault();
+      if (target && target.kind !== 'simplex') event.preventDefault();
     },
     { passive: false },
   );
@@ -89,13 +92,15 @@ export function listenToBoardKeys(board: Board, actions: BoardActions): void {
     ArrowUp: [0, 1],
     ArrowDown: [0, -1],
   };
-  const keys: Readonly<Record<string, () => void>> = {
-    n: () => actions.step(true),
-    p: () => actions.step(false),
+  const edits: Readonly<Record<string, () => void>> = {
     l: () => actions.add('landmark'),
     w: () => actions.add('witness'),
     delete: () => actions.remove(),
     backspace: () => actions.remove(),
+  };
+  const keys: Readonly<Record<string, () => void>> = {
+    n: () => actions.step(true),
+    p: () => actions.step(false),
     ' ': () => actions.pickSelected(),
     enter: () => actions.pickSelected(),
     escape: () => actions.select(undefined),
@@ -103,13 +108,14 @@ export function listenToBoardKeys(board: Board, actions: BoardActions): void {
   svg.addEventListener('keydown', (event) => {
     if (event.altKey) return;
     if (event.ctrlKey || event.metaKey) {
-      if (event.key.toLowerCase() !== 'z') return;
+      if (event.key.toLowerCase() !== 'z' || !actions.editable()) return;
       event.preventDefault();
       actions.undo();
       return;
     }
-    const arrow = arrows[event.key];
-    const key = keys[event.key.toLowerCase()];
+    const name = event.key.toLowerCase();
+    const arrow = actions.editable() ? arrows[event.key] : undefined;
+    const key = keys[name] ?? (actions.editable() ? edits[name] : undefined);
     if (!arrow && !key) return;
     event.preventDefault();
     const size = event.shiftKey ? LARGE_STEP : 1;

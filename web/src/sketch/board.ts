@@ -1,12 +1,11 @@
+import type { Answer } from './answer.ts';
+import { circumcircle } from './circumcircle.ts';
+import type { Layer } from './layers.ts';
+import { namesOf, witnessName } from './names.ts';
 import type { FarthestOrder, PlanePicture, Simplex } from './plane.ts';
-import { BOARD, samePlace, type Point } from './points.ts';
-import { landmarkName, witnessName } from './sketch-words.ts';
+import { BOARD, drawn, samePlace, type Point } from './points.ts';
 import type { PointKind, PointName } from './sketch-state.ts';
 import { draw } from './svg.ts';
-
-/** What a board can show besides its points. */
-export const LAYERS = ['complex', 'cells', 'pairs', 'delaunay', 'lists', 'cover', 'names'] as const;
-export type Layer = (typeof LAYERS)[number];
 
 /** Everything that is drawn. */
 export interface Scene {
@@ -17,16 +16,16 @@ export interface Scene {
   readonly layers: ReadonlySet<Layer>;
   /** A landmark that can be put in: open while it is out. */
   readonly extra: Point | undefined;
-  readonly extraIn: boolean;
+  /** Which landmark it is, once it is in. */
+  readonly extraAt: number | undefined;
   readonly scale: FarthestOrder | undefined;
   readonly step: number;
   readonly selected: PointName | undefined;
   /** Where the keyboard would put a point. */
   readonly pen: Point | undefined;
   /** Corners of the simplex that is asked for. */
-  readonly picked: readonly number[];
-  /** Witnesses that light up. */
-  readonly lit: readonly number[];
+  readonly asked: readonly number[];
+  readonly answer: Answer;
 }
 
 /** What a pointer is on. */
@@ -104,13 +103,11 @@ export class Board {
   }
 
   private cells(cells: PlanePicture['cells'], name: string): SVGElement[] {
-    return cells
-      .filter(({ corners }) => corners.length > 2)
-      .map(({ of, corners }) => {
-        // Four tints in turn keep neighbors apart well enough; the border says the rest.
-        const tint = of.reduce((sum, index) => 3 * sum + index, 0) % 4;
-        return draw('polygon', { points: path(corners), class: `${name} tint-${tint}` });
-      });
+    return cells.filter(drawn).map(({ of, corners }) => {
+      // Four tints in turn keep neighbors apart well enough; the border says the rest.
+      const tint = of.reduce((sum, index) => 3 * sum + index, 0) % 4;
+      return draw('polygon', { points: path(corners), class: `${name} tint-${tint}` });
+    });
   }
 
   private cover({ landmarks, scale, step }: Scene): SVGElement[] {
@@ -146,16 +143,26 @@ export class Board {
     return [...shapes(triangles, 'triangle'), ...shapes(edges, 'edge'), ...rings];
   }
 
-  /** The simplex that was asked for, there or not. */
+  /** The simplex that was asked for, there or not; and why not: the face that is missing, who lies in the disc. */
   private asked(scene: Scene): SVGElement[] {
-    const corners = this.corners(scene, scene.picked);
-    if (corners.length === 0) return [];
-    return [draw('polygon', { points: path(corners), class: 'asked' })];
+    const { face, blockers, disc } = scene.answer;
+    const outline = (vertices: readonly number[], name: string): SVGElement[] => {
+      const corners = this.corners(scene, vertices);
+      return corners.length > 0 ? [draw('polygon', { points: path(corners), class: name })] : [];
+    };
+    const rings = this.corners(scene, blockers).map(({ x, y }) =>
+      draw('circle', { cx: x, cy: up(y), r: 3.4, class: 'blocker' }),
+    );
+    const circle = circumcircle(this.corners(scene, disc));
+    const discs = circle
+      ? [draw('circle', { cx: circle.x, cy: up(circle.y), r: circle.radius, class: 'disc' })]
+      : [];
+    return [...discs, ...outline(scene.asked, 'asked'), ...outline(face, 'missing'), ...rings];
   }
 
   /** From the selected witness to its nearest landmarks, with their places in its list. */
-  private list({ landmarks, witnesses, selected, lit }: Scene, { lists }: PlanePicture): SVGElement[] {
-    const chosen = selected?.kind === 'witness' ? [selected.index] : lit.slice(0, 1);
+  private list({ landmarks, witnesses, selected, answer }: Scene, { lists }: PlanePicture): SVGElement[] {
+    const chosen = selected?.kind === 'witness' ? [selected.index] : answer.lit.slice(0, 1);
     return chosen.flatMap((index) => {
       const from = witnesses[index];
       if (!from) return [];
@@ -172,7 +179,8 @@ export class Board {
   }
 
   private points(scene: Scene): SVGElement[] {
-    const { landmarks, witnesses, selected, lit, layers, extra, extraIn, pen } = scene;
+    const { landmarks, witnesses, selected, layers, extra, extraAt, pen } = scene;
+    const { lit } = scene.answer;
     const parts: SVGElement[] = [];
     const reach: SVGElement[] = [];
     const names = layers.has('names');
@@ -194,12 +202,10 @@ export class Board {
     const namesWitness = (place: Point, index: number): boolean =>
       ((names && witnesses.length <= MOST_NAMES) || lit.includes(index)) &&
       !landmarks.some((other) => samePlace(other, place));
-    const last = extraIn && extra ? landmarks.length - 1 : -1;
-    landmarks.forEach((place, i) =>
-      point('landmark', place, i, i === last ? 'a' : names ? landmarkName(i) : ''),
-    );
+    const nameOf = namesOf({ extra: extraAt });
+    landmarks.forEach((place, i) => point('landmark', place, i, names || i === extraAt ? nameOf(i) : ''));
     witnesses.forEach((place, i) => point('witness', place, i, namesWitness(place, i) ? witnessName(i) : ''));
-    if (extra && !extraIn) {
+    if (extra && extraAt === undefined) {
       parts.push(
         draw('circle', { cx: extra.x, cy: up(extra.y), r: 1.7, class: 'extra' }),
         draw('text', { x: extra.x + 2.2, y: up(extra.y) - 2, class: 'landmark-name' }, 'a'),

@@ -74,6 +74,8 @@ export function questionOf(
 ): PlaneQuestion {
   const own =
     step > 0 ? (scale?.order ?? []).slice(0, step).flatMap((index) => witnesses[index] ?? []) : landmarks;
-  const all = extra && withExtra && !own.some((place) => samePlace(place, extra)) ? [...own, extra] : own;
-  return { landmarks: all, witnesses, nu, delaunay };
+  // Two landmarks in one place would be one.
+  const comes = extra && withExtra && !own.some((place) => samePlace(place, extra));
+  if (!comes) return { landmarks: own, witnesses, nu, delaunay };
+  return { landmarks: [...own, extra], witnesses, nu, delaunay, extra: own.length };
 }

@@ -1,7 +1,8 @@
 import { make } from '../embed/dom.ts';
 import { counted } from '../model/numbers.ts';
+import { namesOf, witnessName } from './names.ts';
 import type { PlanePicture } from './plane.ts';
-import { landmarkName, simplexName, witnessName } from './sketch-words.ts';
+import { simplexName } from './sketch-words.ts';
 
 const MOST_ROWS = 60;
 
@@ -20,15 +21,16 @@ export function figureInWords({
   triangles,
   delaunayEdges,
 }: PlanePicture): HTMLElement {
-  const landmarks = question.landmarks.map(({ x, y }, i) => `${landmarkName(i)} at ${x}, ${y}`);
+  const name = namesOf(question);
+  const landmarks = question.landmarks.map(({ x, y }, i) => `${name(i)} at ${x}, ${y}`);
   const witnesses = question.witnesses.map(
-    ({ x, y }, i) => `${witnessName(i)} at ${x}, ${y}: ${(lists[i] ?? []).map(landmarkName).join(', ')}`,
+    ({ x, y }, i) => `${witnessName(i)} at ${x}, ${y}: ${(lists[i] ?? []).map(name).join(', ')}`,
   );
   const simplices = [...vertices, ...edges, ...triangles].map(
     (simplex) =>
-      `${simplexName(simplex.vertices)}: ${counted(simplex.witnesses.length, 'witness', 'witnesses')}`,
+      `${simplexName(simplex.vertices, name)}: ${counted(simplex.witnesses.length, 'witness', 'witnesses')}`,
   );
-  const triangulation = delaunayEdges.map((edge) => edge.map(landmarkName).join(' '));
+  const triangulation = delaunayEdges.map((edge) => edge.map(name).join(' '));
   return make(
     'div',
     {},

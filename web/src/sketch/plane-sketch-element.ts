@@ -1,14 +1,17 @@
 import { listenToBoardKeys, listenToPointers, type BoardActions, type Tool } from './board-input.ts';
-import { LAYERS, type Layer, type Target } from './board.ts';
+import type { Target } from './board.ts';
 import { Computation, questionOf, type Computed, type Setting } from './computation.ts';
-import type { PlaneCore, PlanePicture, PlaneQuestion, Reason } from './plane.ts';
-import { BOARD, onBoard, parsePoints, type Point } from './points.ts';
 import { figureInWords } from './figure-in-words.ts';
-import { pointInWords, summary } from './sketch-words.ts';
+import { LAYERS, layersIn, type Layer } from './layers.ts';
+import { askedNames, landmarksNamed, namesOf } from './names.ts';
+import type { PlaneCore, PlanePicture, PlaneQuestion, Reason } from './plane.ts';
+import { parsePoints, type Point } from './points.ts';
+import { SketchEditor } from './sketch-editor.ts';
 import { arrange, createParts, type SketchParts } from './sketch-parts.ts';
 import * as states from './sketch-state.ts';
-import type { PointKind, PointName, SketchState } from './sketch-state.ts';
+import type { SketchState } from './sketch-state.ts';
 import { sketchStyle } from './sketch-style.ts';
+import { changeInWords, summary } from './sketch-words.ts';
 import { Voice } from './voice.ts';
 import { WhyPanel } from './why-panel.ts';
 import { readable } from '../model/numbers.ts';
@@ -26,6 +29,12 @@ function planeCore(): PlaneCore {
   return core;
 }
 
+/** A sentence, and the picture that it is about. */
+interface Told {
+  readonly said: string;
+  readonly picture: PlanePicture;
+}
+
 /**
  * `<plane-sketch>`: landmarks and witnesses in the plane, and what the core says of them. Attributes: see
  * docs/course.md; they follow what the reader does.
@@ -35,32 +44,37 @@ export class PlaneSketchElement extends HTMLElement {
 
   private readonly parts: SketchParts = createParts(`sketch-${++made}`);
   private readonly computation: Computation;
+  private readonly editor: SketchEditor;
   private readonly panel: WhyPanel;
-  private readonly voice = new Voice(this.parts.spoken);
-  private current: SketchState = states.stateFrom(() => null);
-  private preset: SketchState | undefined;
-  private past: SketchState[] = [];
+  private readonly voice = new Voice(this.parts.spoken, () => (this.heard = this.told));
+  /** All attributes as the page had them. */
+  private preset: ReadonlyMap<string, string | null> | undefined;
   private computed: Computed | undefined;
   private layers = new Set<Layer>();
-  private selected: PointName | undefined;
-  private pen: Point = { x: BOARD.width / 2, y: BOARD.height / 2 };
+  /** What stands under the board, and what of that has been spoken. */
+  private told: Told | undefined;
+  private heard: Told | undefined;
   private focused = false;
-  private dragFrom: SketchState | undefined;
   private reflecting = false;
 
   constructor() {
     super();
-    this.computation = new Computation(
-      planeCore(),
-      (computed) => this.show(computed),
-      (error) => this.fail(error),
-    );
+    const fail = (error: unknown): void => this.fail(error);
+    this.computation = new Computation(planeCore(), (computed) => this.show(computed), fail);
+    this.editor = new SketchEditor({
+      changed: (lasting) => this.changed(lasting),
+      redraw: () => this.draw(),
+      say: (sentence) => this.voice.say('place', sentence),
+      order: () => this.scale?.order,
+      list: (witness) => this.picture?.lists[witness],
+      landmarkName: (landmark) => namesOf(this.question())(landmark),
+    });
     this.panel = new WhyPanel(
       this.parts,
-      (vertices) => this.why(vertices),
-      () => this.question().landmarks.length,
+      (vertices, question) => this.why(vertices, question),
+      (names) => this.askFor(names),
       () => this.draw(),
-      (error) => this.fail(error),
+      fail,
     );
     const root = this.attachShadow({ mode: 'open' });
     root.adoptedStyleSheets = [sketchStyle()];
@@ -74,7 +88,7 @@ export class PlaneSketchElement extends HTMLElement {
   }
 
   get state(): SketchState {
-    return this.current;
+    return this.editor.state;
   }
 
   /** Farthest first: the order of the landmarks, and the scale after each. */
@@ -93,7 +107,7 @@ export class PlaneSketchElement extends HTMLElement {
 
   /** The figure's question with something else in it: what would be, if. */
   question(change: Partial<SketchState> = {}): PlaneQuestion {
-    return questionOf({ ...this.current, ...change }, this.setting, this.computed?.scale);
+    return questionOf({ ...this.state, ...change }, this.setting, this.scale);
   }
 
   ask(question: PlaneQuestion): Promise<PlanePicture> {
@@ -111,12 +125,12 @@ export class PlaneSketchElement extends HTMLElement {
 
   /** Asks why these landmarks span a simplex, or why not, and lights its witnesses up. */
   inspect(vertices: readonly number[]): void {
-    this.panel.inspect(vertices);
+    this.askFor(askedNames(vertices, this.question()));
   }
 
   connectedCallback(): void {
+    this.preset ??= new Map(states.SKETCH_ATTRIBUTES.map((name) => [name, this.getAttribute(name)]));
     this.readAttributes();
-    this.preset ??= this.current;
   }
 
   attributeChangedCallback(): void {
@@ -133,39 +147,61 @@ export class PlaneSketchElement extends HTMLElement {
       'aria-label',
       this.getAttribute('aria-label') ?? 'Sketch of landmarks and witnesses',
     );
-    try {
-      this.current = states.stateFrom((name) => this.getAttribute(name));
+    this.offerReset();
+    this.attempt(() => {
+      const state = this.stateAsked();
       parts.extra.hidden = !this.extra;
-    } catch (error) {
-      this.fail(error);
-      return;
-    }
-    const shown = (this.getAttribute('show') ?? 'complex names').split(/[\s,_]+/);
-    this.layers = new Set(LAYERS.filter((layer) => shown.includes(layer)));
+      this.editor.open(state);
+      this.readLook();
+      this.panel.show(state.asked);
+      this.refresh();
+    });
+  }
+
+  private stateAsked(): SketchState {
+    return states.stateFrom((name) => this.getAttribute(name));
+  }
+
+  /** What is shown of the state, and what can be changed. */
+  private readLook(): void {
+    const { parts } = this;
+    this.layers = new Set(layersIn(this.getAttribute('show') ?? 'complex names'));
     for (const [layer, box] of parts.layerBoxes) box.checked = this.layers.has(layer);
     parts.whole.checked = this.setting.delaunay;
-    arrange(parts, this.getAttribute('offer') ?? 'edits nu layers why', this.current.step > 0);
-    this.past = [];
-    this.select(undefined);
-    this.refresh();
+    this.editor.editable = arrange(parts, {
+      offer: this.getAttribute('offer'),
+      layers: this.getAttribute('layers'),
+      farthestFirst: this.hasAttribute('step'),
+    });
+  }
+
+  private attempt(act: () => void): void {
+    try {
+      act();
+    } catch (error) {
+      this.fail(error);
+    }
   }
 
   private listen(): void {
-    const { parts } = this;
+    const { parts, editor } = this;
     const actions: BoardActions = {
       tool: () => this.tool,
-      select: (name) => this.select(name),
-      step: (forward) => this.select(states.nextPoint(this.current, this.selected, forward)),
-      nudge: (dx, dy) => this.nudge(dx, dy),
-      drag: (place) => this.drag(place),
-      drop: () => this.drop(),
-      add: (kind, place) => this.add(kind, place),
-      remove: () => this.removeSelected(),
+      editable: () => editor.editable,
+      select: (name) => editor.select(name),
+      step: (forward) => editor.step(forward),
+      nudge: (dx, dy) => editor.nudge(dx, dy),
+      drag: (place) => editor.drag(place),
+      drop: () => editor.drop(),
+      add: (kind, place) => {
+        if (kind === 'landmark' || this.hasTool(kind)) editor.add(kind, place);
+      },
+      remove: () => editor.remove(),
       pick: (target) => this.pick(target),
       pickSelected: () => {
-        if (this.selected?.kind === 'landmark') this.pick(this.selected);
+        if (editor.selected?.kind === 'landmark') this.pick(editor.selected);
       },
-      undo: () => this.undo(),
+      undo: () => editor.undo(),
       focus: (on) => {
         this.focused = on && parts.board.svg.matches(':focus-visible');
         this.draw();
@@ -173,16 +209,21 @@ export class PlaneSketchElement extends HTMLElement {
     };
     listenToPointers(parts.board, actions);
     listenToBoardKeys(parts.board, actions);
-    parts.remove.addEventListener('click', () => this.removeSelected());
-    parts.undo.addEventListener('click', () => this.undo());
-    parts.reset.addEventListener('click', () => this.preset && this.commit(this.preset));
-    parts.back.addEventListener('click', () => this.toStep(this.current.step - 1));
-    parts.forward.addEventListener('click', () => this.toStep(this.current.step + 1));
-    parts.insert.addEventListener('click', () =>
-      this.commit({ ...this.current, withExtra: !this.current.withExtra }),
-    );
+    // A button that has no more to do loses the focus: the board takes it.
+    const press = (button: HTMLButtonElement, act: () => void): void =>
+      button.addEventListener('click', () => {
+        act();
+        if (button.disabled) parts.board.svg.focus();
+      });
+    press(parts.remove, () => editor.remove());
+    press(parts.undo, () => editor.undo());
+    press(parts.clear, () => editor.clear());
+    press(parts.reset, () => this.reset());
+    press(parts.back, () => this.toStep(-1));
+    press(parts.forward, () => this.toStep(1));
+    press(parts.insert, () => editor.commit({ ...this.state, withExtra: !this.state.withExtra }));
     parts.whole.addEventListener('change', () => {
-      this.reflect({ complex: parts.whole.checked ? 'delaunay' : 'whole' });
+      this.reflect({ complex: parts.whole.checked ? null : 'whole' });
       this.refresh();
     });
     parts.ranks.forEach((input) => input.addEventListener('change', () => this.takeNu()));
@@ -201,124 +242,69 @@ export class PlaneSketchElement extends HTMLElement {
     return 'move';
   }
 
-  private takeNu(): void {
-    const nu = this.parts.ranks.map(({ value }) => Number(value));
-    try {
-      this.commit({ ...this.current, nu: states.parseNu(nu.join()) });
-    } catch (error) {
-      this.fail(error);
-    }
+  private hasTool(tool: Tool): boolean {
+    return !this.parts.tools.get(tool)?.parentElement?.hidden;
   }
 
-  private toStep(step: number): void {
-    const last = Math.min(this.computed?.scale?.order.length ?? 1, this.current.witnesses.length);
-    this.commit({ ...this.current, step: Math.max(1, Math.min(step, last)) });
+  private takeNu(): void {
+    // An empty field is no number, and certainly not 0.
+    const nu = this.parts.ranks.map(({ value }) => (value === '' ? '?' : value));
+    this.attempt(() => this.editor.commit({ ...this.state, nu: states.parseNu(nu.join()) }));
+  }
+
+  /** From the step that is shown: an address may have asked for more than there are. */
+  private toStep(change: number): void {
+    const last = this.scale?.order.length;
+    if (last === undefined) return;
+    const step = Math.min(this.state.step, last) + change;
+    this.editor.commit({ ...this.state, step: Math.max(1, Math.min(step, last)) });
   }
 
   private setLayers(layers: Set<Layer>): void {
     this.layers = layers;
     for (const [layer, box] of this.parts.layerBoxes) box.checked = layers.has(layer);
     this.reflect({ show: LAYERS.filter((layer) => layers.has(layer)).join(' ') });
+    this.tell();
     this.draw();
   }
 
-  /** Farthest first, a landmark is one of the witnesses. */
-  private own(name: PointName | undefined): PointName | undefined {
-    if (name?.kind !== 'landmark' || this.current.step === 0) return name;
-    const index = this.computed?.scale?.order[name.index];
-    return index === undefined ? undefined : { kind: 'witness', index };
-  }
-
-  private select(chosen: PointName | undefined): void {
-    const name = this.own(chosen);
-    const left = this.selected && states.pointAt(this.current, this.selected);
-    if (left) this.pen = left;
-    this.selected = name;
-    if (name) this.voice.say('place', this.selectedInWords());
-    this.parts.remove.disabled = !name;
-    this.draw();
-  }
-
-  private selectedInWords(): string {
-    const { selected, current, pen } = this;
-    const place = selected && states.pointAt(current, selected);
-    if (!selected || !place) return `Cross at ${pen.x}, ${pen.y}`;
-    return pointInWords(selected, place, this.computed?.picture.lists[selected.index]);
-  }
-
-  private nudge(dx: number, dy: number): void {
-    const place = this.selected && states.pointAt(this.current, this.selected);
-    if (!this.selected || !place) {
-      this.pen = onBoard(this.pen.x + dx, this.pen.y + dy);
-      this.voice.say('place', this.selectedInWords());
-      this.draw();
-      return;
-    }
-    const next = states.moved(this.current, this.selected, onBoard(place.x + dx, place.y + dy));
-    if (next) this.commit(next);
-    this.voice.say('place', this.selectedInWords());
-  }
-
-  private drag(place: Point): void {
-    const next = this.selected && states.moved(this.current, this.selected, place);
-    if (!next) return;
-    this.dragFrom ??= this.current;
-    this.current = next;
-    this.refresh();
-  }
-
-  private drop(): void {
-    if (!this.dragFrom) return;
-    this.past.push(this.dragFrom);
-    this.dragFrom = undefined;
-    this.reflect(states.attributesOf(this.current));
-    this.refresh();
-  }
-
-  private add(kind: PointKind, place = this.pen): void {
-    if (kind === 'landmark' && this.current.step > 0) {
-      this.voice.say('place', 'Landmarks are chosen farthest first here: take the next one instead.');
-      return;
-    }
-    const next = states.added(this.current, kind, place);
-    if (!next) {
-      this.voice.say('place', `There is no room for another ${kind} at ${place.x}, ${place.y}.`);
-      return;
-    }
-    this.commit(next);
-    this.select({ kind, index: states.pointsOf(next, kind).length - 1 });
-  }
-
-  private removeSelected(): void {
-    if (!this.selected) return;
-    const next = states.removed(this.current, this.selected);
-    const said = this.selectedInWords();
-    this.select(undefined);
-    this.commit(next);
-    this.voice.say('place', `Removed: ${said}`);
-    this.parts.board.svg.focus();
-  }
-
-  private undo(): void {
-    const before = this.past.pop();
-    if (!before) return;
-    this.current = before;
-    this.select(undefined);
-    this.reflect(states.attributesOf(before));
-    this.refresh();
+  /** All as the page had it, what is shown as well as the points. */
+  private reset(): void {
+    this.editor.select(undefined);
+    this.reflect(Object.fromEntries(this.preset ?? []));
+    this.attempt(() => {
+      this.readLook();
+      this.editor.commit(this.stateAsked());
+    });
   }
 
   private pick(target: Target): void {
-    if (target.kind === 'witness') this.select(target);
-    else if (target.kind === 'simplex') this.inspect(target.vertices);
-    else this.panel.toggle(target.index);
+    if (target.kind === 'witness') this.editor.select(target);
+    if (target.kind === 'witness' || this.parts.why.hidden) return;
+    if (target.kind === 'simplex') this.inspect(target.vertices);
+    else this.toggleCorner(target.index);
   }
 
-  /** Another state: it can be undone, and the attributes say it. */
-  private commit(next: SketchState): void {
-    this.past.push(this.current);
-    this.current = next;
-    this.reflect(states.attributesOf(next));
+  /** Into the question why, or out of it. */
+  private toggleCorner(landmark: number): void {
+    const question = this.question();
+    const corners = landmarksNamed(this.state.asked, question);
+    this.inspect(
+      corners.includes(landmark) ? corners.filter((other) => other !== landmark) : [...corners, landmark],
+    );
+  }
+
+  private askFor(names: readonly string[]): void {
+    this.editor.ask(names);
+    this.reflect(states.attributesOf(this.state));
+    this.panel.show(names);
+    void this.panel.tell(names, this.question());
+  }
+
+  /** The attributes say every state that lasts. */
+  private changed(lasting: boolean): void {
+    if (lasting) this.reflect(states.attributesOf(this.state));
+    this.panel.show(this.state.asked);
     this.refresh();
   }
 
@@ -329,27 +315,30 @@ export class PlaneSketchElement extends HTMLElement {
       else this.setAttribute(name, value);
     }
     this.reflecting = false;
+    this.offerReset();
+  }
+
+  private offerReset(): void {
+    const { preset = [] } = this;
+    this.parts.reset.disabled = [...preset].every(([name, value]) => this.getAttribute(name) === value);
   }
 
   private refresh(): void {
-    const { parts, current } = this;
-    parts.undo.disabled = this.past.length === 0;
-    parts.ranks.forEach((input, k) => (input.value = String(current.nu[k] ?? 0)));
-    parts.insert.setAttribute('aria-pressed', String(current.withExtra));
-    parts.insert.textContent = current.withExtra ? 'Take a out' : 'Insert a';
+    const { parts, state } = this;
+    parts.undo.disabled = !this.editor.canUndo;
+    parts.ranks.forEach((input, k) => (input.value = String(state.nu[k] ?? 0)));
+    parts.insert.setAttribute('aria-pressed', String(state.withExtra));
+    parts.insert.textContent = state.withExtra ? 'Take a out' : 'Insert a';
     this.toggleAttribute('data-busy', true);
     this.draw();
-    this.computation.want(current, this.setting);
+    this.computation.want(state, this.setting);
   }
 
   private show(computed: Computed): void {
     const { parts } = this;
     this.computed = computed;
     parts.trouble.hidden = true;
-    const said = summary(computed.picture);
-    if (parts.readout.textContent !== '' && said !== parts.readout.textContent)
-      this.voice.say('summary', said);
-    parts.readout.textContent = said;
+    this.tell();
     const { step } = computed.state;
     const epsilon = computed.scale?.epsilon[Math.min(step, computed.scale.order.length) - 1];
     if (epsilon !== undefined)
@@ -357,32 +346,47 @@ export class PlaneSketchElement extends HTMLElement {
     parts.listBody.replaceChildren(figureInWords(computed.picture));
     this.toggleAttribute('data-busy', false);
     this.dataset['betti'] = computed.picture.betti.join();
-    this.panel.follow();
+    void this.panel.tell(this.state.asked, this.question());
     this.draw();
+  }
+
+  /** In words, under the board; what has become another since it was last spoken is spoken. */
+  private tell(): void {
+    const { picture, layers } = this;
+    if (!picture) return;
+    const said = summary(picture, layers);
+    this.parts.readout.textContent = said;
+    this.told = { said, picture };
+    this.heard ??= this.told;
+    const change = changeInWords(this.heard.picture, picture, layers);
+    const news = said !== this.heard.said || change !== '';
+    this.voice.say('summary', news ? `${said}${change === '' ? '' : ` ${change}`}` : undefined);
   }
 
   private fail(error: unknown): void {
     this.toggleAttribute('data-busy', false);
+    if (!this.computed) this.parts.readout.textContent = '';
     this.parts.trouble.textContent = error instanceof Error ? error.message : String(error);
     this.parts.trouble.hidden = false;
   }
 
   private draw(): void {
-    const { computed, current, layers, selected, extra, panel } = this;
-    const asked = questionOf(current, this.setting, computed?.scale);
+    const { computed, state, layers, extra, panel, editor } = this;
+    const question = this.question();
+    this.parts.remove.disabled = !editor.selected;
     this.parts.board.render({
-      landmarks: asked.landmarks,
-      witnesses: current.witnesses,
+      landmarks: question.landmarks,
+      witnesses: state.witnesses,
       picture: computed?.picture,
       layers,
       extra,
-      extraIn: current.withExtra,
+      extraAt: question.extra,
       scale: computed?.scale,
-      step: current.step,
-      selected,
-      pen: this.focused && !selected ? this.pen : undefined,
-      picked: panel.picked,
-      lit: panel.lit,
+      step: state.step,
+      selected: editor.selected,
+      pen: this.focused && editor.editable && !editor.selected ? editor.pen : undefined,
+      asked: landmarksNamed(state.asked, question),
+      answer: panel.answer,
     });
   }
 }

@@ -7,6 +7,8 @@ export interface PlaneQuestion {
   readonly nu: readonly number[];
   /** Only simplices of the Delaunay triangulation. */
   readonly delaunay: boolean;
+  /** Which landmark is called a: the one that a button puts in. */
+  readonly extra?: number | undefined;
 }
 
 /** Landmarks and witnesses are named by their place, from 0. */

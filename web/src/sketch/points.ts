@@ -36,3 +36,6 @@ export function flat(points: readonly Point[]): Float64Array {
 export function samePlace(a: Point, b: Point): boolean {
   return a.x === b.x && a.y === b.y;
 }
+
+/** Whether a cell has anything to be drawn. */
+export const drawn = ({ corners }: { readonly corners: readonly Point[] }): boolean => corners.length > 2;

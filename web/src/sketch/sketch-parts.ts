@@ -1,6 +1,7 @@
 import { make } from '../embed/dom.ts';
-import { Board, type Layer } from './board.ts';
+import { Board } from './board.ts';
 import type { Tool } from './board-input.ts';
+import { LAYER_NAMES, LAYERS, layersIn, wordsOf, type Layer } from './layers.ts';
 
 const TOOLS: readonly (readonly [Tool, string])[] = [
   ['move', 'Move'],
@@ -9,25 +10,24 @@ const TOOLS: readonly (readonly [Tool, string])[] = [
   ['ask', 'Ask why'],
 ];
 
-export const LAYER_NAMES: Readonly<Record<Layer, string>> = {
-  complex: 'Complex',
-  cells: 'Voronoi cells',
-  pairs: 'Cells of order two',
-  delaunay: 'Delaunay edges',
-  lists: 'Nearest landmarks',
-  cover: 'Discs of radius ε',
-  names: 'Names',
-};
+/** What readers can change, by the names of the attribute `offer`. */
+type Offer = 'edits' | 'nu' | 'layers' | 'why' | 'clear';
+const ALL_OFFERS = 'edits nu layers why';
 
-const KEYS: readonly (readonly [string, string])[] = [
+/** Keys, what they do, and what must be offered for them to do it. */
+const KEYS: readonly (readonly [string, string, (Offer | Tool)?])[] = [
   ['N, P', 'next or previous point'],
-  ['Arrows', 'move it, or the cross where no point is selected; with shift by five'],
-  ['L, W', 'put a landmark or a witness where the cross is'],
-  ['Delete', 'remove the selected point'],
-  ['Space', 'take the selected landmark into the question why, or out of it'],
+  ['Arrows', 'move it, or the cross where no point is selected; with shift by five', 'edits'],
+  ['L', 'put a landmark where the cross is', 'landmark'],
+  ['W', 'put a witness where the cross is', 'witness'],
+  ['Delete', 'remove the selected point', 'edits'],
+  ['Space', 'take the selected landmark into the question why, or out of it', 'why'],
   ['Escape', 'select nothing; the cross stays there'],
-  ['Ctrl+Z', 'undo'],
+  ['Ctrl+Z', 'undo', 'edits'],
 ];
+
+/** Layers that are about witnesses. */
+const WITNESSED: readonly Layer[] = ['complex', 'lists', 'cover'];
 
 function button(label: string, title: string): HTMLButtonElement {
   return make('button', { type: 'button', class: 'button', title }, label);
@@ -59,9 +59,11 @@ export function createParts(group: string) {
   }
   const remove = button('Delete', 'Remove the selected point (Delete)');
   const undo = button('Undo', 'Take the last change back (Ctrl+Z)');
+  const clear = button('Clear', 'Takes all points away');
   const reset = button('Reset', 'As the page had it');
-  remove.disabled = undo.disabled = true;
-  const edits = make('div', { class: 'row' }, toolBox, remove, undo, reset);
+  remove.disabled = undo.disabled = reset.disabled = true;
+  const edits = make('div', { class: 'row' }, toolBox);
+  const changes = make('div', { class: 'row' }, remove, undo, clear, reset);
 
   const back = button('Back', 'One landmark less');
   const forward = button('Next landmark', 'The witness farthest from all landmarks becomes one');
@@ -88,15 +90,14 @@ export function createParts(group: string) {
     { class: 'row layers' },
     make('legend', { class: 'for-readers' }, 'What is shown'),
   );
-  for (const [layer, name] of Object.entries(LAYER_NAMES) as [Layer, string][]) {
-    const { box, label } = check(name);
+  for (const layer of LAYERS) {
+    const { box, label } = check(LAYER_NAMES[layer]);
     layerBoxes.set(layer, box);
     layers.append(label);
   }
 
   const corners = make('input', {
     type: 'text',
-    inputmode: 'numeric',
     autocomplete: 'off',
     placeholder: '1 2',
   });
@@ -109,12 +110,16 @@ export function createParts(group: string) {
   );
   const answer = make('p', { class: 'answer', role: 'status' });
 
-  const readout = make('p', { class: 'readout' });
+  const readout = make('p', { class: 'readout' }, 'Computing…');
   const trouble = make('p', { class: 'trouble', role: 'alert', hidden: '' });
   const spoken = make('p', { class: 'for-readers', 'aria-live': 'polite' });
 
   const keys = make('dl', { id: keysId });
-  for (const [key, action] of KEYS) keys.append(make('dt', {}, key), make('dd', {}, action));
+  const keyRows = KEYS.map(([key, action, needs]) => ({
+    needs,
+    row: [make('dt', {}, key), make('dd', {}, action)],
+  }));
+  keys.append(...keyRows.flatMap(({ row }) => row));
   const help = make('details', { class: 'help' }, make('summary', {}, 'Keys on the board'), keys);
   // It scrolls, and so keys must reach it.
   const listBody = make('div', { class: 'lists', tabindex: '0', role: 'group', 'aria-label': 'Figure' });
@@ -129,6 +134,7 @@ export function createParts(group: string) {
     steps,
     extra,
     edits,
+    changes,
     nu,
     layers,
     why,
@@ -142,8 +148,10 @@ export function createParts(group: string) {
     tools,
     remove,
     undo,
+    clear,
     reset,
     edits,
+    keyRows,
     back,
     forward,
     scale,
@@ -169,11 +177,46 @@ export function createParts(group: string) {
 
 export type SketchParts = ReturnType<typeof createParts>;
 
-/** Shows the controls that are offered, and those of landmarks that the core chooses farthest first. */
-export function arrange(parts: SketchParts, offer: string, farthestFirst: boolean): void {
-  const offers = offer.split(/[\s,_]+/);
-  for (const name of ['edits', 'nu', 'layers', 'why'] as const) parts[name].hidden = !offers.includes(name);
+/** What the attributes of a sketch ask for. */
+export interface Arrangement {
+  readonly offer: string | null;
+  /** The layers that can be switched on and off; all unless given. */
+  readonly layers: string | null;
+  /** The core chooses the landmarks. */
+  readonly farthestFirst: boolean;
+}
+
+/** Shows the controls that are offered, and those of landmarks that the core chooses; tells whether points can be edited. */
+export function arrange(parts: SketchParts, { offer, layers, farthestFirst }: Arrangement): boolean {
+  const words = wordsOf(offer ?? ALL_OFFERS);
+  const offers = (name: Offer): boolean => words.includes(name);
+  for (const name of ['edits', 'nu', 'layers', 'why', 'clear'] as const) parts[name].hidden = !offers(name);
+  parts.remove.hidden = parts.undo.hidden = !offers('edits');
   parts.steps.hidden = !farthestFirst;
-  parts.tools.get('landmark')?.parentElement?.toggleAttribute('hidden', farthestFirst);
-  parts.layerBoxes.get('cover')?.parentElement?.toggleAttribute('hidden', !farthestFirst);
+  const switchable = layers === null ? LAYERS : layersIn(layers);
+  for (const [layer, box] of parts.layerBoxes)
+    box.parentElement?.toggleAttribute(
+      'hidden',
+      !switchable.includes(layer) || (layer === 'cover' && !farthestFirst),
+    );
+  const tools: Readonly<Record<Tool, boolean>> = {
+    move: true,
+    landmark: offers('edits') && !farthestFirst,
+    // Where nothing shows what witnesses say there are none yet.
+    witness: offers('edits') && switchable.some((layer) => WITNESSED.includes(layer)),
+    ask: offers('why'),
+  };
+  for (const [name, radio] of parts.tools) {
+    radio.parentElement?.toggleAttribute('hidden', !tools[name]);
+    // A tool that is out of sight is out of hand.
+    if (radio.checked && !tools[name]) (parts.tools.get('move') ?? radio).checked = true;
+  }
+  for (const { needs, row } of parts.keyRows) {
+    const there = needs === undefined || (needs in tools ? tools[needs as Tool] : offers(needs as Offer));
+    for (const cell of row) cell.hidden = !there;
+  }
+  const editable = offers('edits');
+  parts.board.svg.classList.toggle('fixed', !editable);
+  parts.board.svg.classList.toggle('answers', offers('why'));
+  return editable;
 }

@@ -1,8 +1,10 @@
+import { parseAsked, withoutLandmark } from './names.ts';
 import { formatPoints, parsePoints, samePlace, type Point } from './points.ts';
 
 /** What an address or a teacher can set. */
 export const SKETCH_ATTRIBUTES: readonly string[] = [
-  ...['landmarks', 'witnesses', 'nu', 'step', 'extra', 'inserted', 'complex', 'show', 'offer'],
+  ...['landmarks', 'witnesses', 'nu', 'step', 'extra', 'inserted', 'complex', 'ask'],
+  ...['show', 'layers', 'offer'],
 ];
 
 export type PointKind = 'landmark' | 'witness';
@@ -22,6 +24,8 @@ export interface SketchState {
   readonly step: number;
   /** Whether the landmark beside the others, a, is in. */
   readonly withExtra: boolean;
+  /** The landmarks that the question why is about, by their names. */
+  readonly asked: readonly string[];
 }
 
 export const PLAIN_NU: readonly number[] = [1, 2, 3];
@@ -69,24 +73,32 @@ export function added(state: SketchState, kind: PointKind, place: Point): Sketch
 const replaced = (points: readonly Point[], index: number, place: Point): Point[] =>
   points.map((point, i) => (i === index ? place : point));
 
-/** A landmark that is a witness as well takes it along. */
-export function moved(state: SketchState, { kind, index }: PointName, place: Point): SketchState | undefined {
-  const from = pointsOf(state, kind)[index];
-  if (!from || taken(state, kind, place, index)) return undefined;
+/** The witness that a landmark is as well; it goes where the landmark goes. */
+export function ownWitness(state: SketchState, name: PointName): number | undefined {
+  const place = name.kind === 'landmark' ? pointAt(state, name) : undefined;
+  const own = place ? state.witnesses.findIndex((witness) => samePlace(witness, place)) : -1;
+  return own < 0 ? undefined : own;
+}
+
+/** `own` is known from the beginning of the way: a witness that only lies on it is not taken along. */
+export function moved(
+  state: SketchState,
+  { kind, index }: PointName,
+  place: Point,
+  own: number | undefined,
+): SketchState | undefined {
+  if (!pointsOf(state, kind)[index] || taken(state, kind, place, index)) return undefined;
   const next = withPoints(state, kind, replaced(pointsOf(state, kind), index, place));
-  if (kind === 'witness') return next;
-  const own = state.witnesses.findIndex((witness) => samePlace(witness, from));
-  return own < 0 || taken(state, 'witness', place, own)
+  // Where another witness is, its own one waits, and follows as soon as there is room.
+  return own === undefined || taken(state, 'witness', place, own)
     ? next
     : { ...next, witnesses: replaced(state.witnesses, own, place) };
 }
 
 export function removed(state: SketchState, { kind, index }: PointName): SketchState {
-  return withPoints(
-    state,
-    kind,
-    pointsOf(state, kind).filter((_, i) => i !== index),
-  );
+  const left = pointsOf(state, kind).filter((_, i) => i !== index);
+  const asked = kind === 'landmark' ? withoutLandmark(state.asked, index) : state.asked;
+  return { ...withPoints(state, kind, left), asked };
 }
 
 /** Landmarks first, then witnesses, around; farthest first, the landmarks are witnesses. */
@@ -107,11 +119,12 @@ export function nextPoint(
 /** The attributes that say a state: what a link holds, and what a teacher writes. */
 export function attributesOf(state: SketchState): Record<string, string | null> {
   return {
-    landmarks: state.step > 0 ? null : formatPoints(state.landmarks),
-    witnesses: formatPoints(state.witnesses),
+    landmarks: state.step > 0 ? null : formatPoints(state.landmarks) || null,
+    witnesses: formatPoints(state.witnesses) || null,
     nu: state.nu.join() === PLAIN_NU.join() ? null : state.nu.join(),
     step: state.step > 0 ? String(state.step) : null,
     inserted: state.withExtra ? '' : null,
+    ask: state.asked.length > 0 ? state.asked.join(' ') : null,
   };
 }
 
@@ -125,5 +138,6 @@ export function stateFrom(read: (name: string) => string | null): SketchState {
     nu: nu === null ? PLAIN_NU : parseNu(nu),
     step: step === null ? 0 : parseStep(step),
     withExtra: read('inserted') !== null,
+    asked: parseAsked(read('ask') ?? ''),
   };
 }

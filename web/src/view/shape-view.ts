@@ -201,10 +201,7 @@ export class ShapeView {
     this.container.ariaBusy = String(this.loaded || this.behind);
   }
 
-  /**
-   * Sets three uniforms and the counts of what is drawn; uploads no geometry. What was born after `recent` glows, what
-   * died after it fades.
-   */
+  /** Sets three uniforms and counts, uploads no geometry. What was born after `recent` glows, what died after it fades. */
   showStep(step: number, recent = step): void {
     if (!this.layers || !this.record || !this.frame || step < 1) return;
     const { family, track, epsilon } = this.record.summary(step);
@@ -338,6 +335,13 @@ export class ShapeView {
     this.showBusy();
     const seen = 2 * distance * Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
     if (this.frame) this.onView(seen / this.container.clientHeight / this.frame.scale);
+  }
+
+  /** The picture, to be copied at once: what the card has drawn is gone when it has been shown. */
+  picture(): HTMLCanvasElement | undefined {
+    if (this.lost || !this.compiled || !this.record) return undefined;
+    this.renderer.render(this.scene, this.camera);
+    return this.renderer.domElement;
   }
 
   /** Gives back the graphics card too: browsers allow few contexts on a page. */
