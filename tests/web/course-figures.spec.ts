@@ -177,7 +177,12 @@ test('a link holds the state of a figure, and nothing that it may not set', asyn
 
 test('a sketch that a teacher has written wrongly says what it takes', async ({ page }) => {
   await page.goto('./course/sketch.html#sketch.landmarks=20,30_here');
-  await expect(page.locator('#sketch').getByRole('alert')).toHaveText(/"here" is no point/);
+  const sketch = page.locator('#sketch');
+  // It stays to be read, beside the picture of what the page has.
+  await settled(sketch);
+  await expect(sketch.getByRole('alert')).toHaveText(/"here" is no point/);
+  await sketch.getByRole('button', { name: 'Reset' }).click();
+  await expect(sketch.getByRole('alert')).toBeHidden();
 });
 
 test('pages of the course stand in a frame of another site, and their links are for the taking', async ({

@@ -268,3 +268,14 @@ test('before a figure in space is open, or done, a right answer is not called wr
   await answer(page, 'genus', '5');
   await verdict(page, 'genus', 'open', /^The figure is still computing/);
 });
+
+test('opposite is who lies opposite, whatever the landmarks are called', async ({ page }) => {
+  await openPage(page, 'order-two');
+  const circle = page.locator('#circle');
+  await circle.evaluate((sketch) => sketch.setAttribute('landmarks', '36,14 84,66 90,18 32,62'));
+  await settled(circle);
+  await answer(page, 'least-nu', '2');
+  await verdict(page, 'least-nu', 'wrong', /ν₁ = 3 the edge p1 p2 has 14 witnesses/);
+  await answer(page, 'least-nu', '3');
+  await verdict(page, 'least-nu', 'right', /ν₁ = 3 the edge p1 p2/);
+});

@@ -167,7 +167,7 @@ test('starts when it is scrolled into view, stops when it is not, and goes on', 
 
   await page.locator('#a').scrollIntoViewIfNeeded();
   await expect.poll(() => own<number>(page, 'a', 'currentStep')).toBeGreaterThan(2);
-  await expect(page.locator('#a canvas')).toHaveCount(2);
+  await expect(page.locator('#a :is(.shape, .diagram) canvas')).toHaveCount(2);
   expect(await own(page, 'a', 'playing')).toBe(true);
 
   await page.evaluate(() => scrollTo(0, 0));

@@ -126,7 +126,7 @@ const someTriangle: Ask = async (_, sketch, { question, triangles, delaunayTrian
 };
 
 /** Of four places the two pairs that lie opposite each other, whichever order they come in. */
-export function pairsAcross(places: readonly Point[]): number[][] {
+function pairsAcross(places: readonly Point[]): number[][] {
   const [x, y] = [places.reduce((sum, p) => sum + p.x, 0) / 4, places.reduce((sum, p) => sum + p.y, 0) / 4];
   const turn = ({ x: px, y: py }: Point): number => Math.atan2(py - y, px - x);
   const around = places.map((place, index) => ({ index, at: turn(place) })).sort((a, b) => a.at - b.at);

@@ -51,10 +51,12 @@ export class PlaneSketchElement extends HTMLElement {
   private preset: ReadonlyMap<string, string | null> | undefined;
   private computed: Computed | undefined;
   private layers = new Set<Layer>();
-  /** What stands under the board, and what of that has been spoken. */
+  /** What stands under the board, and what has been spoken. */
   private told: Told | undefined;
   private heard: Told | undefined;
   private focused = false;
+  /** The attributes make no sense: what is drawn is what they said before. */
+  private misread = false;
   private reflecting = false;
 
   constructor() {
@@ -148,7 +150,7 @@ export class PlaneSketchElement extends HTMLElement {
       this.getAttribute('aria-label') ?? 'Sketch of landmarks and witnesses',
     );
     this.offerReset();
-    this.attempt(() => {
+    this.misread = !this.attempt(() => {
       const state = this.stateAsked();
       parts.extra.hidden = !this.extra;
       this.editor.open(state);
@@ -175,11 +177,13 @@ export class PlaneSketchElement extends HTMLElement {
     });
   }
 
-  private attempt(act: () => void): void {
+  private attempt(act: () => void): boolean {
     try {
       act();
+      return true;
     } catch (error) {
       this.fail(error);
+      return false;
     }
   }
 
@@ -194,7 +198,8 @@ export class PlaneSketchElement extends HTMLElement {
       drag: (place) => editor.drag(place),
       drop: () => editor.drop(),
       add: (kind, place) => {
-        if (kind === 'landmark' || this.hasTool(kind)) editor.add(kind, place);
+        const offered = !parts.tools.get(kind)?.parentElement?.hidden;
+        if (kind === 'landmark' || offered) editor.add(kind, place);
       },
       remove: () => editor.remove(),
       pick: (target) => this.pick(target),
@@ -229,10 +234,8 @@ export class PlaneSketchElement extends HTMLElement {
     parts.ranks.forEach((input) => input.addEventListener('change', () => this.takeNu()));
     for (const [layer, box] of parts.layerBoxes) {
       box.addEventListener('change', () => {
-        const layers = new Set(this.layers);
-        if (box.checked) layers.add(layer);
-        else layers.delete(layer);
-        this.setLayers(layers);
+        const others = [...this.layers].filter((other) => other !== layer);
+        this.setLayers(new Set(box.checked ? [...others, layer] : others));
       });
     }
   }
@@ -240,10 +243,6 @@ export class PlaneSketchElement extends HTMLElement {
   private get tool(): Tool {
     for (const [tool, radio] of this.parts.tools) if (radio.checked) return tool;
     return 'move';
-  }
-
-  private hasTool(tool: Tool): boolean {
-    return !this.parts.tools.get(tool)?.parentElement?.hidden;
   }
 
   private takeNu(): void {
@@ -303,6 +302,7 @@ export class PlaneSketchElement extends HTMLElement {
 
   /** The attributes say every state that lasts. */
   private changed(lasting: boolean): void {
+    this.misread = false;
     if (lasting) this.reflect(states.attributesOf(this.state));
     this.panel.show(this.state.asked);
     this.refresh();
@@ -319,8 +319,9 @@ export class PlaneSketchElement extends HTMLElement {
   }
 
   private offerReset(): void {
-    const { preset = [] } = this;
-    this.parts.reset.disabled = [...preset].every(([name, value]) => this.getAttribute(name) === value);
+    this.parts.reset.disabled = [...(this.preset ?? [])].every(
+      ([name, value]) => this.getAttribute(name) === value,
+    );
   }
 
   private refresh(): void {
@@ -337,7 +338,7 @@ export class PlaneSketchElement extends HTMLElement {
   private show(computed: Computed): void {
     const { parts } = this;
     this.computed = computed;
-    parts.trouble.hidden = true;
+    parts.trouble.hidden = !this.misread;
     this.tell();
     const { step } = computed.state;
     const epsilon = computed.scale?.epsilon[Math.min(step, computed.scale.order.length) - 1];
