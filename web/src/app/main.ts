@@ -1,3 +1,4 @@
+import './browser-check.ts';
 import './theme.css';
 import './base.css';
 import './controls.css';

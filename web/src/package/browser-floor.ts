@@ -34,16 +34,22 @@ const CORE: readonly (readonly [string, () => boolean])[] = [
   ['workers that are modules', takesModuleWorkers],
 ];
 
-const ELEMENT: readonly (readonly [string, () => boolean])[] = [
+const PAGE: typeof CORE = [
   ...CORE,
-  ['constructed style sheets', () => 'replaceSync' in CSSStyleSheet.prototype],
-  ['container queries', () => CSS.supports('container-type: inline-size')],
   ['mixed colors', () => CSS.supports('color: color-mix(in srgb, red, blue)')],
 ];
 
+const ELEMENT: typeof CORE = [
+  ...PAGE,
+  ['constructed style sheets', () => 'replaceSync' in CSSStyleSheet.prototype],
+  ['container queries', () => CSS.supports('container-type: inline-size')],
+];
+
+const NEEDED = { core: CORE, page: PAGE, element: ELEMENT } as const;
+
 /** Fails with a sentence that names the first thing that the browser lacks, for computing or also for showing. */
-export function demandBrowser(what: 'core' | 'element'): void {
-  const missing = (what === 'core' ? CORE : ELEMENT).find(([, present]) => !present());
+export function demandBrowser(what: keyof typeof NEEDED): void {
+  const missing = NEEDED[what].find(([, present]) => !present());
   if (!missing) return;
   throw new PlateauError(
     'unsupported-browser',
