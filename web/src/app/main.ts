@@ -58,8 +58,8 @@ function open(choice: SourceChoice, options: RunOptions): void {
   }
 }
 
-function openFile(file: File): void {
-  if (!compareSheet.take(file)) open({ kind: 'file', file }, {});
+function openFile(file: File, onDisk = true): void {
+  if (!compareSheet.take(file, onDisk)) open({ kind: 'file', file, onDisk }, {});
 }
 
 function openSample({ shape, size, options = {} }: Sample): void {
@@ -76,7 +76,7 @@ fileInput.addEventListener('change', () => {
   fileInput.value = '';
   if (file) openFile(file);
 });
-acceptDrops(byId('plateau', HTMLElement), openFile);
+acceptDrops(byId('plateau', HTMLElement), (file) => openFile(file));
 acceptPastes(openFile);
 
 sampleSelect.append(

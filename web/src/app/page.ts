@@ -136,7 +136,7 @@ export class Page implements FeedListener, WalkScreen {
         return;
       }
       const { session } = run.opened;
-      const opened = session ? openingOf(choice, session) : { choice, options };
+      const opened = session ? openingOf(choice, session.options) : { choice, options };
       const restored = session ? { ...session, view: viewOf(session.view) } : linked;
       const feed = new RunFeed(run, this, restored?.reached);
       this.show(feed, opened, session ? 'return' : arrival, begin);
@@ -160,7 +160,7 @@ export class Page implements FeedListener, WalkScreen {
   /** The file that could not be read without knowing what its columns are; none: they are distances. */
   openFailedWith(columns: readonly number[], options: RunOptions): void {
     if (this.failedChoice?.kind !== 'file') return;
-    void this.open({ kind: 'file', file: this.failedChoice.file, columns }, options, 'answer');
+    void this.open({ ...this.failedChoice, columns }, options, 'answer');
   }
 
   showError(error: unknown, about = ''): void {
