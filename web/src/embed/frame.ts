@@ -9,6 +9,8 @@ function follow(): void {
   for (const [name, value] of new URLSearchParams(location.hash.slice(1))) asked.set(name, value);
   for (const name of ATTRIBUTES) {
     const value = asked.get(name) ?? (name === 'panels' ? 'full' : null);
+    // What did not change is not asked for once more.
+    if (value === view?.getAttribute(name)) continue;
     if (value === null) view?.removeAttribute(name);
     else view?.setAttribute(name, value);
   }

@@ -47,12 +47,18 @@ const ELEMENT: typeof CORE = [
 
 const NEEDED = { core: CORE, page: PAGE, element: ELEMENT } as const;
 
-/** Fails with a sentence that names the first thing that the browser lacks, for computing or also for showing. */
-export function demandBrowser(what: keyof typeof NEEDED): void {
+/** A sentence that names the first thing that the browser lacks, for computing or also for showing; none: nothing. */
+export function browserFault(what: keyof typeof NEEDED): PlateauError | undefined {
   const missing = NEEDED[what].find(([, present]) => !present());
-  if (!missing) return;
-  throw new PlateauError(
+  if (!missing) return undefined;
+  return new PlateauError(
     'unsupported-browser',
     `This browser lacks ${missing[0]}. Plateau needs ${BROWSER_FLOOR}, or a newer one.`,
   );
+}
+
+/** Fails where the browser lacks something. */
+export function demandBrowser(what: keyof typeof NEEDED): void {
+  const fault = browserFault(what);
+  if (fault) throw fault;
 }

@@ -4,6 +4,7 @@ import { demand, demandIfGiven } from './given.ts';
 
 /** One of the built-in shapes: `helix`, `torus`, `sphere` and others; an unknown name is answered with all of them. */
 export interface ShapeCloud {
+  /** By its name. */
   readonly shape: string;
   /** How many points. */
   readonly size: number;

@@ -25,6 +25,7 @@ const KINDS = {
   'an object': (value: unknown) => typeof value === 'object' && value !== null,
   'an ArrayBuffer or a Uint8Array': (value: unknown) =>
     value instanceof ArrayBuffer || value instanceof Uint8Array,
+  'a File or a Float64Array': (value: unknown) => value instanceof Float64Array || value instanceof File,
   'a Float64Array or a list of points': (value: unknown) =>
     value instanceof Float64Array || Array.isArray(value),
 } as const;

@@ -43,7 +43,9 @@ export interface Plateau {
   readonly epsilonLast: number;
   /** ln of the ratio of the scales between which it lasts. */
   readonly length: number;
+  /** Which complex the numbers are of. */
   readonly family: ShownFamily;
+  /** Betti numbers: components, loops, voids, … */
   readonly betti: readonly number[];
   /** Those over another field, where they differ: the shape has torsion. */
   readonly torsion?: Torsion;
