@@ -2,7 +2,7 @@ import type { ErrorCode } from '../client/plateau-error.ts';
 import type { PlateauCard } from '../model/plateau-cards.ts';
 import type { Torsion } from '../model/record.ts';
 import { shapeInWords } from '../model/words.ts';
-import type { Family, ShownFamily } from '../worker/protocol.ts';
+import type { Family, OpenedRun, ShownFamily } from '../worker/protocol.ts';
 
 /** Event `ready`: points were opened, and their run can be watched. */
 export interface ReadyDetail {
@@ -74,6 +74,11 @@ export interface PlateauViewEventMap {
   step: CustomEvent<StepDetail>;
   plateau: CustomEvent<PlateauDetail>;
   error: CustomEvent<ErrorDetail>;
+}
+
+export function readyDetail(name: string, opened: OpenedRun): ReadyDetail {
+  const { points, dimension, family, nu, stepsPlanned, warnings } = opened;
+  return { name, points, dimension, family, nu, stepsPlanned, warnings };
 }
 
 export function plateauDetail(card: PlateauCard, rank: number): PlateauDetail {

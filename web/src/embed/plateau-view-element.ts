@@ -1,4 +1,3 @@
-import type { RemoteRun } from '../client/plateau-client.ts';
 import { codeOf, PlateauError, type ErrorCode } from '../client/plateau-error.ts';
 import { browserFault } from '../package/browser-floor.ts';
 import type { ClientShare } from '../package/shared-client.ts';
@@ -14,7 +13,7 @@ import {
   type LoadOptions,
   type Opening,
 } from './element-cloud.ts';
-import { plateauDetail, type PlateauDetail } from './events.ts';
+import { plateauDetail, readyDetail, type PlateauDetail } from './events.ts';
 import { createParts, type Parts } from './parts.ts';
 import { ReflectingElement } from './reflecting-element.ts';
 import { ATTRIBUTES, OF_OPENING, settingsOf, type Settings } from './settings.ts';
@@ -23,8 +22,6 @@ import { elementStyle } from './style.ts';
 import { Trouble } from './trouble.ts';
 import { Viewer } from './viewer.ts';
 
-const EMPTY = 'Nothing to show yet: this element needs a shape or a src.';
-const REFUSED = 'Nothing to show: the points could not be opened.';
 const REPLACED = 'Another opening came in between.';
 
 /** Whoever called `load` and waits. */
@@ -313,7 +310,7 @@ export class PlateauViewElement extends ReflectingElement {
       this.nameView(opening);
       // Who hears of it may open something else.
       const waiting = this.waiting.splice(0);
-      this.tellReady(opening, run);
+      this.emit('ready', readyDetail(nameOf(opening), run.opened));
       for (const { resolve } of waiting) resolve();
     } catch (error) {
       if (signal.aborted) return;
@@ -339,14 +336,9 @@ export class PlateauViewElement extends ReflectingElement {
     this.settle(({ reject }) => reject(new DOMException(reason, 'AbortError')));
   }
 
-  /** As long as nothing is shown, why. */
   private showNote(opening: Opening | undefined): void {
-    const { parts, viewer } = this;
-    if (!parts || viewer?.record) return;
-    const busy = opening && this.opening ? `Reading ${nameOf(opening)} …` : '';
-    const note = !opening ? EMPTY : this.refused ? REFUSED : busy;
-    parts.empty.textContent = parts.readout.textContent = parts.status.textContent = note;
-    parts.empty.hidden = note === '';
+    if (this.viewer?.record) return;
+    this.trouble?.note(opening && nameOf(opening), this.opening !== undefined, this.refused);
   }
 
   private settle(end: (waiting: Waiting) => void): void {
@@ -356,11 +348,6 @@ export class PlateauViewElement extends ReflectingElement {
   private nameView(opening: Opening | undefined): void {
     const name = this.getAttribute('aria-label') ?? (opening ? `Plateau: ${nameOf(opening)}` : 'Plateau');
     this.parts?.view.setAttribute('aria-label', name);
-  }
-
-  private tellReady(opening: Opening, { opened }: RemoteRun): void {
-    const { points, dimension, family, nu, stepsPlanned, warnings } = opened;
-    this.emit('ready', { name: nameOf(opening), points, dimension, family, nu, stepsPlanned, warnings });
   }
 
   /** Says once what was not understood. */

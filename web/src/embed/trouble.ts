@@ -1,5 +1,8 @@
 import type { Parts } from './parts.ts';
 
+const EMPTY = 'Nothing to show yet: this element needs a shape or a src.';
+const REFUSED = 'Nothing to show: the points could not be opened.';
+
 /** The sentences that lie over the shape: what went wrong, and which attributes were not understood. */
 export class Trouble {
   /** What was not understood stays so until that is mended or dismissed. */
@@ -38,6 +41,14 @@ export class Trouble {
   quiet(): void {
     if (this.complaint === this.dismissed) this.hide();
     else this.say(this.complaint);
+  }
+
+  /** Why nothing is shown; `name`: what is to be. */
+  note(name: string | undefined, busy: boolean, refused: boolean): void {
+    const { empty, readout, status } = this.parts;
+    const text = name === undefined ? EMPTY : refused ? REFUSED : busy ? `Reading ${name} …` : '';
+    empty.textContent = readout.textContent = status.textContent = text;
+    empty.hidden = text === '';
   }
 
   /** The focus does not fall out of the element with the button that had it. */
