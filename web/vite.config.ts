@@ -47,7 +47,8 @@ export default defineConfig({
   build: {
     outDir: 'dist',
     emptyOutDir: true,
-    target: 'es2022',
+    // Safari below 16.4 cannot even read static blocks: it shall get as far as being told that it is too old.
+    target: ['es2022', 'safari16.0'],
     // Nothing as a data: address, or the content-security policy would have to allow it.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },

@@ -45,7 +45,8 @@ export default defineConfig(({ mode }) => ({
   build: {
     outDir: '../build/package',
     emptyOutDir: false,
-    target: mode === 'node' ? 'node20' : 'es2022',
+    // Safari below 16.4 cannot even read static blocks: it shall get as far as being told that it is too old.
+    target: mode === 'node' ? 'node20' : ['es2022', 'safari16.0'],
     minify: mode !== 'node',
     assetsInlineLimit: 0,
     lib: { entry: { [mode]: entries[mode] ?? '' }, formats: ['es'] },

@@ -40,10 +40,22 @@ test('every error has its sentence in the reference', () => {
   assert.match(element, /\(\.\.\/plateau\.md#errorcode\)/);
 });
 
+test('every property has a sentence', () => {
+  for (const page of ['plateau.md', 'plateau/element.md']) {
+    const rows = readFileSync(join(committed, page), 'utf8').match(/^\| <a id="property-.*$/gm);
+    assert.ok(rows.length > 10);
+    for (const row of rows) assert.doesNotMatch(row.replaceAll('\\|', ''), /^(\|[^|]*){3}\| - \|/, page);
+  }
+});
+
 test('every event that an element sends is in the reference and in the guide', () => {
-  const sent = [...source('embed/plateau-view-element.ts').matchAll(/this\.emit\('(\w+)'/g)].map(
-    ([, name]) => name,
-  );
+  const files = ['embed/plateau-view-element.ts', 'embed/telling-element.ts'];
+  const sent = [
+    ...files
+      .map(source)
+      .join('')
+      .matchAll(/this\.emit\('(\w+)'/g),
+  ].map(([, name]) => name);
   assert.deepEqual([...new Set(sent)].sort(), ['error', 'plateau', 'ready', 'step']);
   const guide = readFileSync(join(root, 'docs', 'embed.md'), 'utf8');
   for (const name of sent) {

@@ -244,7 +244,26 @@ test('a paused run stands still, a closed one ends for who waits', async () => {
     new Promise((done) => setTimeout(done, 200)).then(() => run.close()),
   ]);
   assert.equal(result.status, 'rejected');
+  assert.equal(result.reason.code, 'closed');
   await run.close();
+  await assert.rejects(run.exportFile('betti-csv'), { code: 'closed' });
+});
+
+test('a session runs with its own options except those that are given', async () => {
+  const first = await plateau.openCloud({ points: circle }, { family: 'delaunay', maxSteps: 40 });
+  await first.end();
+  const bytes = await first.exportFile('session');
+  await first.close();
+  const cloud = { name: 'a.plateau', bytes };
+  const endOf = async (options) => {
+    const run = await plateau.openCloud(cloud, options);
+    const { steps } = await run.end();
+    await run.close();
+    return [run.family, steps];
+  };
+  assert.deepEqual(await endOf({}), ['delaunay', 40]);
+  assert.deepEqual(await endOf({ maxSteps: 50 }), ['delaunay', 50]);
+  assert.deepEqual(await endOf({ family: 'witness' }), ['witness', 40]);
 });
 
 test('what goes wrong has a sentence and a code', async () => {
@@ -268,6 +287,48 @@ test('what goes wrong has a sentence and a code', async () => {
   }
   const signal = AbortSignal.abort();
   await assert.rejects(plateau.openCloud({ shape: 'torus', size: 50 }, { signal }), { name: 'AbortError' });
+});
+
+test('what has a wrong type is refused with a sentence, and takes no other run with it', async () => {
+  const other = await plateau.openCloud({ shape: 'torus', size: 3000 });
+  const shape = { shape: 'torus', size: 50 };
+  const cases = [
+    [undefined, {}, 'A cloud takes an object, not undefined.'],
+    [{}, {}, 'A cloud has a shape, or points, or a name and bytes.'],
+    [new Float64Array(9), {}, 'A cloud has a shape, or points, or a name and bytes.'],
+    [{ shape: 5, size: 10 }, {}, 'shape takes text, not 5.'],
+    [{ shape: 'torus' }, {}, 'size takes a number, not undefined.'],
+    [{ name: 5, bytes: new Uint8Array(3) }, {}, 'name takes text, not 5.'],
+    [{ name: 'a.xyz', bytes: '1 2 3' }, {}, 'bytes takes an ArrayBuffer or a Uint8Array, not "1 2 3".'],
+    [{ name: 'a.csv', bytes: new Uint8Array(3), columns: 3 }, {}, 'columns takes a list of numbers, not 3.'],
+    [{ points: 'abc' }, {}, 'points takes a Float64Array or a list of points, not "abc".'],
+    [
+      { points: new Float32Array(9) },
+      {},
+      'points takes a Float64Array or a list of points, not Float32Array.',
+    ],
+    [{ points: [1, 2, 3] }, {}, 'Point 0 takes a list of numbers, not 1.'],
+    [shape, null, 'The second argument takes an object, not null.'],
+    [shape, { family: 5 }, 'family takes text, not 5.'],
+    [shape, { metric: 7 }, 'metric takes text, not 7.'],
+    [shape, { sliver: 3 }, 'sliver takes text, not 3.'],
+    [shape, { nu: 3 }, 'nu takes a list of numbers, not 3.'],
+    [shape, { box: 3 }, 'box takes a list of numbers, not 3.'],
+    [shape, { pump: 'yes' }, 'pump takes true or false, not "yes".'],
+    [shape, { famly: 'auto' }, 'There is no option famly.'],
+    [shape, { signal: 1 }, 'signal takes an AbortSignal, not 1.'],
+  ];
+  for (const [cloud, options, message] of cases) {
+    await assert.rejects(plateau.openCloud(cloud, options), (error) => {
+      assert.ok(error instanceof plateau.PlateauError);
+      assert.deepEqual([error.code, error.message], ['invalid-option', message]);
+      return true;
+    });
+  }
+  await assert.rejects(other.inspect(3, 'abc'), { code: 'invalid-option' });
+  await assert.rejects(other.exportFile(5), { code: 'invalid-option' });
+  assert.equal((await other.end()).steps, 3000);
+  await other.close();
 });
 
 test('a program ends when it has nothing more to do, closed or not', () => {

@@ -2,42 +2,8 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { PlateauClient } from '../../web/src/client/plateau-client.ts';
 import type { PlateauError } from '../../web/src/client/plateau-error.ts';
 import { WORKER_FAILED } from '../../web/src/client/plateau-error.ts';
-import type { WorkerLike } from '../../web/src/client/worker-link.ts';
-import type { WorkerEvent, WorkerRequest } from '../../web/src/worker/protocol.ts';
 import { openedWith } from '../web/model/fixtures.ts';
-
-const OPENED = openedWith();
-
-/** A worker that answers only what the test wants. */
-class FakeWorker implements WorkerLike {
-  onmessage: WorkerLike['onmessage'] = null;
-  onmessageerror: WorkerLike['onmessageerror'] = null;
-  onerror: WorkerLike['onerror'] = null;
-  readonly requests: WorkerRequest[] = [];
-  terminated = false;
-
-  postMessage(request: WorkerRequest): void {
-    this.requests.push(request);
-  }
-
-  terminate(): void {
-    this.terminated = true;
-  }
-
-  answer(event: WorkerEvent): void {
-    this.onmessage?.({ data: event } as MessageEvent<WorkerEvent>);
-  }
-
-  open(at = 0): void {
-    const request = this.requests[at];
-    if (request?.kind !== 'open') throw new Error('nothing to open');
-    this.answer({ kind: 'opened', runId: request.runId, requestId: request.requestId, opened: OPENED });
-  }
-
-  die(message: string): void {
-    this.onerror?.({ message, preventDefault: () => undefined } as ErrorEvent);
-  }
-}
+import { FakeWorker, OPENED } from './fake-worker.ts';
 
 const source = { kind: 'sample', shape: 'torus', size: 10 } as const;
 let workers: FakeWorker[];
@@ -124,7 +90,7 @@ describe('the client', () => {
     }
     expect(worker(0).terminated).toBe(true);
     expect(deaths).toHaveLength(1);
-    expect(deaths[0]?.message).toMatch(/memory access out of bounds.*open the points again/s);
+    expect(deaths[0]?.message).toBe('The computation stopped unexpectedly (memory access out of bounds).');
 
     const again = client.open(source, {});
     expect(workers).toHaveLength(2);
@@ -146,6 +112,7 @@ describe('the client', () => {
 
   test('keeps no timer when nothing is awaited', async () => {
     const opening = client.open(source, {});
+    worker().begin();
     expect(vi.getTimerCount()).toBe(1);
     worker().open();
     await opening;
@@ -155,9 +122,42 @@ describe('the client', () => {
   test('does not wait for ever for a worker that fell silent', async () => {
     const opening = client.open(source, {});
     const settled = expect(opening).rejects.toMatchObject({ code: WORKER_FAILED });
+    worker().begin();
     await vi.advanceTimersByTimeAsync(60_000);
     await settled;
     expect(worker().terminated).toBe(true);
+  });
+
+  test('a network that takes its time is no dead worker', async () => {
+    const opening = client.open(source, {});
+    await vi.advanceTimersByTimeAsync(300_000);
+    expect(worker().terminated).toBe(false);
+    worker().begin();
+    worker().open();
+    await expect(opening).resolves.toHaveProperty('opened', OPENED);
+  });
+
+  test('what a dead worker still says is not of the next one', async () => {
+    const lost = expect(client.open(source, {})).rejects.toMatchObject({ code: WORKER_FAILED });
+    worker().die('out of bounds');
+    await lost;
+    const opening = client.open(source, {});
+    worker(0).die('once more');
+    worker(0).answer({ kind: 'opened', runId: 2, requestId: 2, opened: openedWith({ points: 7 }) });
+    expect(deaths).toHaveLength(1);
+    worker().open();
+    await expect(opening).resolves.toHaveProperty('opened', OPENED);
+  });
+
+  test('a run that was closed says so, and is closed once', async () => {
+    const opening = client.open(source, {});
+    worker().open();
+    const run = await opening;
+    const closing = [run.close(), run.close()];
+    await expect(run.fetchDelta()).rejects.toMatchObject({ code: 'closed' });
+    expect(worker().requests.map(({ kind }) => kind)).toEqual(['open', 'close']);
+    worker().answer({ kind: 'closed', runId: 1, requestId: 2 });
+    await Promise.all(closing);
   });
 
   test('an aborted opening closes the run and rejects with the reason', async () => {
@@ -178,7 +178,7 @@ describe('the client', () => {
 
   test('disposing settles what waits', async () => {
     const opening = client.open(source, {});
-    const settled = expect(opening).rejects.toThrow(/closed/);
+    const settled = expect(opening).rejects.toMatchObject({ code: 'closed' });
     client.dispose();
     await settled;
     expect(deaths).toHaveLength(0);

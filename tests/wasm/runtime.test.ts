@@ -66,6 +66,22 @@ describe('the worker', () => {
     expect(delta.kind === 'delta' && delta.delta.state).toBe('finished');
   });
 
+  test('a value of a wrong type fails alone: another run goes on', () => {
+    open(1, 1, sample('torus', 400));
+    slices(3);
+    const wrong = 20000 as unknown as string;
+    open(2, 2, sample(wrong, 10));
+    runtime.handle({ kind: 'export', runId: 1, requestId: 3, format: wrong as 'betti-csv' });
+    runtime.handle({ kind: 'fetchDelta', runId: 1, requestId: 4 });
+    for (const requestId of [2, 3])
+      expect(answerTo(requestId)).toMatchObject({ kind: 'failed', failure: { code: 8 } });
+    expect(answerTo(4).kind).toBe('delta');
+    slices();
+    runtime.handle({ kind: 'fetchDelta', runId: 1, requestId: 5 });
+    const delta = answerTo(5);
+    expect(delta.kind === 'delta' && delta.delta.state).toBe('finished');
+  });
+
   test('gives a session away and opens it as that run', () => {
     open(1, 1);
     slices();

@@ -112,6 +112,16 @@ test('a module that cannot be fetched is said; the next opening begins anew', as
   await expect(alertOf(page, 'a')).toBeHidden();
 });
 
+test('a measured shape whose file is gone is said in words', async ({ page }) => {
+  const events = await rememberEvents(page);
+  await page.route('**/bunny-points.js', (route) => route.abort());
+  await page.goto(
+    foreign.page('/gone', '<plateau-view id="a" shape="bunny" panels="diagram"></plateau-view>'),
+  );
+  await expect(alertOf(page, 'a')).toContainText('What the shape "bunny" is made of cannot be read');
+  expect(await codes(events)).toEqual(['cannot-read']);
+});
+
 test('a policy that does not allow what is needed is named in a sentence', async ({ page }) => {
   const body = '<plateau-view id="a" shape="torus" size="90" panels="diagram"></plateau-view>';
   for (const [directive, sentence] of [
@@ -180,7 +190,7 @@ test('without WebGL the diagram and the plateaus work', async ({ page }) => {
   expect(await codes(events)).toEqual(['no-graphics']);
 });
 
-test('a browser that is too old is told so in a sentence', async ({ page, baseURL }) => {
+test('a browser that is too old is told so in a sentence', async ({ page }) => {
   const events = await rememberEvents(page);
   const old: readonly [string, () => void][] = [
     ['exceptions in WebAssembly', () => (WebAssembly.validate = () => false)],
@@ -199,17 +209,42 @@ test('a browser that is too old is told so in a sentence', async ({ page, baseUR
     expect(await codes(told)).toEqual(['unsupported-browser']);
     await context?.close();
   }
-  // The page of Plateau itself says it, too.
-  const context = await page.context().browser()?.newContext();
-  const ownPage = await context?.newPage();
-  await ownPage?.addInitScript(() => (WebAssembly.validate = () => false));
-  await ownPage?.goto(`${baseURL ?? ''}/?sample=torus`);
-  await expect(ownPage?.getByRole('alert') ?? page.locator('never')).toContainText('This browser lacks');
-  await context?.close();
-
   await page.goto(
     foreign.page('/new', '<plateau-view id="a" shape="torus" size="60" panels="diagram"></plateau-view>'),
   );
   await steps(page, 'a', 60);
   expect(await codes(events)).toEqual([]);
+});
+
+test('the page itself says so at its start, also where it has nothing to compute', async ({
+  browser,
+  baseURL,
+}) => {
+  const old: readonly [string, () => void][] = [
+    ['exceptions in WebAssembly', () => (WebAssembly.validate = () => false)],
+    ['mixed colors', () => (CSS.supports = () => false)],
+  ];
+  for (const [lacks, make] of old) {
+    const context = await browser.newContext();
+    const ownPage = await context.newPage();
+    await ownPage.addInitScript(make);
+    await ownPage.goto(`${baseURL ?? ''}/?sample=none`);
+    await expect(ownPage.getByRole('alert').first()).toContainText(`This browser lacks ${lacks}.`);
+    await context.close();
+  }
+});
+
+test('no program has what older browsers cannot even read, so that they get as far as the sentence', async ({
+  page,
+}) => {
+  const programs: Promise<string>[] = [];
+  page.on('response', (response) => {
+    if (response.url().endsWith('.js')) programs.push(response.text());
+  });
+  await page.goto('./?sample=none');
+  await expect(page.locator('main')).toHaveAttribute('data-run-state', 'empty');
+  await page.goto(foreign.page('/new', '<plateau-view id="a"></plateau-view>'));
+  await expect(view(page, 'a')).toHaveCount(1);
+  expect(programs.length).toBeGreaterThan(3);
+  for (const program of await Promise.all(programs)) expect(/\bstatic\s*\{/.test(program)).toBe(false);
 });

@@ -106,7 +106,7 @@ test('two on a page of another origin, under a strict policy, share one module a
 });
 
 test('by iframe, with its attributes in the address', async ({ page, baseURL }) => {
-  const address = `${baseURL}/embed/?size=300&panels=both#shape=sphere&plateau=1`;
+  const address = `${baseURL}/embed/?size=300&panels=both#shape=sphere&plateau=1&aria-label=A%20ball`;
   await page.goto(
     foreign.put('/frame', `<iframe title="Plateau" width="500" height="480" src="${address}"></iframe>`),
   );
@@ -114,6 +114,7 @@ test('by iframe, with its attributes in the address', async ({ page, baseURL }) 
   await expect(frame.locator('.view')).toHaveAttribute('data-run-state', 'finished');
   await expect(frame.locator('.view')).toHaveAttribute('data-betti', '1,0,1');
   await expect(frame.locator('.view')).toHaveAttribute('data-panels', 'both');
+  await expect(frame.getByRole('group', { name: 'A ball' })).toBeVisible();
   await page.evaluate(
     (next) => document.querySelector('iframe')?.setAttribute('src', next),
     address.replace('sphere', 'circle-noise'),

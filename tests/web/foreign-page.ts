@@ -80,10 +80,12 @@ export async function rememberEvents(page: Page): Promise<() => Promise<SeenEven
     const seen: unknown[] = [];
     Object.assign(window, { seen });
     for (const type of ['ready', 'step', 'plateau', 'error']) {
-      document.addEventListener(type, (event) => {
+      // On the way down: `error` does not bubble.
+      const remember = (event: Event): void => {
         if (!(event instanceof CustomEvent) || !(event.target instanceof Element)) return;
         seen.push({ type, id: event.target.id, detail: event.detail as unknown });
-      });
+      };
+      document.addEventListener(type, remember, true);
     }
   });
   return () => page.evaluate(() => (window as unknown as { seen: SeenEvent[] }).seen);

@@ -106,3 +106,40 @@ test('a view that makes no sense is left out', () => {
   for (const text of ['', 'x', '[]', 'null', '{"pose":[1,2],"axis":7}', '{"pose":[1,2,3,4,5,"6"]}'])
     expect(viewOf(text)).toEqual({ axis: 'log' });
 });
+
+test('a session beside another run: what the sheet asks for goes before its own settings', async ({
+  page,
+}) => {
+  const folder = mkdtempSync(join(tmpdir(), 'plateau-'));
+  const [points, session] = [join(folder, 'points.xyz'), join(folder, 'mine.plateau')];
+  writeFileSync(points, torusText(200));
+  execFileSync(command, ['run', points, '--family', 'delaunay', '--steps', '70', '--session', session]);
+  await openPaused(page, 'torus', 120);
+  const second = page.getByRole('group', { name: 'Run B' });
+  const compareWith = async (fields: Readonly<Record<string, string>>): Promise<void> => {
+    await page.getByRole('button', { name: 'Compare', exact: true }).click();
+    const sheet = page.getByRole('dialog', { name: 'Compare' });
+    await drop(page, 'mine.plateau', readFileSync(session));
+    for (const [label, value] of Object.entries(fields)) {
+      const field = sheet.getByLabel(label);
+      if ((await field.evaluate((element) => element.localName)) === 'select')
+        await field.selectOption(value);
+      else await field.fill(value);
+    }
+    await sheet.getByRole('button', { name: 'Compare', exact: true }).click();
+    await expect(second).toHaveAttribute('data-run-state', 'finished');
+    await expect(second).toHaveAttribute('data-steps', '70');
+  };
+  await compareWith({});
+  await expect(second).toContainText('family delaunay');
+  await page.getByRole('button', { name: 'Share' }).click();
+  const sheet = page.getByRole('dialog', { name: 'Share' });
+  await expect(sheet).toContainText('The link holds both runs');
+  await expect(sheet).toContainText(/They print the same numbers, and the same hashes: \w{16} and \w{16}\./);
+  const commands = await sheet.getByRole('textbox', { name: 'Command' }).inputValue();
+  expect(commands).toContain("plateau run 'mine.plateau' --hash");
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Close comparison' }).click();
+  await compareWith({ Family: 'witness', 'First landmark': '5' });
+  await expect(second).toContainText('family witness · ν 1, 6, 6, 4 · first landmark 5');
+});

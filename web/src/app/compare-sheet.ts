@@ -25,6 +25,8 @@ export class CompareSheet {
   private readonly nu = byId('compare-nu', HTMLInputElement);
   private readonly first = byId('compare-first', HTMLInputElement);
   private readonly alert = byId('compare-alert', HTMLElement);
+  /** Whether the file is one: pasted text is not. */
+  private onDisk = true;
 
   constructor(
     private readonly page: Page,
@@ -38,6 +40,7 @@ export class CompareSheet {
       ...[...byId('family', HTMLSelectElement).options].map(({ text, value }) => new Option(text, value)),
     );
     this.points.addEventListener('change', () => this.fill());
+    this.file.addEventListener('change', () => (this.onDisk = true));
     // Each family has a ν of its own.
     this.family.addEventListener('change', () => (this.nu.value = ''));
     byId('compare-form', HTMLFormElement).addEventListener('submit', (event) => {
@@ -59,9 +62,10 @@ export class CompareSheet {
     this.dialog.showModal();
   }
 
-  /** A file that is dropped while the sheet asks is the answer. */
-  take(file: File): boolean {
+  /** A file that is dropped or pasted while the sheet asks is the answer. */
+  take(file: File, onDisk: boolean): boolean {
     if (!this.dialog.open) return false;
+    this.onDisk = onDisk;
     const transfer = new DataTransfer();
     transfer.items.add(file);
     this.file.files = transfer.files;
@@ -109,7 +113,7 @@ export class CompareSheet {
     if (this.points.value === FILE) {
       const file = this.file.files?.[0];
       if (!file) throw new Error('Choose a file, or drop one on the page.');
-      return { choice: { kind: 'file', file }, options: own };
+      return { choice: { kind: 'file', file, onDisk: this.onDisk }, options: own };
     }
     const run = this.page.shownRun();
     if (!run) throw new Error('The points of run A are gone.');

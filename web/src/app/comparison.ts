@@ -1,10 +1,11 @@
+import { openPoints } from '../client/open-points.ts';
 import { memoryBeside, memoryInWords } from '../model/forecast.ts';
 import { scaleOf, type AxisKind } from '../model/scale-axis.ts';
 import type { RunOptions } from '../worker/protocol.ts';
 import { ComparedPair, type PairView } from './compared-pair.ts';
 import { byId } from './dom.ts';
 import type { ShownRun } from './earlier-run.ts';
-import type { Opening } from './opening.ts';
+import { openingOf, type Opening } from './opening.ts';
 import type { Page } from './page.ts';
 import { RunFeed, type FeedListener } from './run-feed.ts';
 import { cloudSource, sourceName, withDefaults } from './source.ts';
@@ -60,7 +61,8 @@ export class Comparison {
       await pageIdle();
       const begin = performance.now();
       const asked = withDefaults(second.choice, second.options, this.memoryLeft());
-      const run = await page.client.open(await cloudSource(second.choice), asked, signal);
+      const read = () => cloudSource(second.choice);
+      const { run, options: taken } = await openPoints(page.client, read, asked, signal);
       const readMs = performance.now() - begin;
       await pageIdle();
       const first = page.shownRun();
@@ -69,15 +71,10 @@ export class Comparison {
         return;
       }
       const feed = new RunFeed(run, this.troubles());
-      // A session brings its own settings.
-      const options = run.opened.session?.options ?? second.options;
-      const { choice } = second;
-      this.show(
-        first,
-        { choice, options, opened: run.opened, record: feed.record, feed, cards: [] },
-        view,
-        readMs,
-      );
+      const { opened } = run;
+      // A session brings its own settings, and is its points where others are asked for.
+      const { choice, options } = taken === asked ? second : openingOf(second.choice, taken);
+      this.show(first, { choice, options, opened, record: feed.record, feed, cards: [] }, view, readMs);
       feed.start();
     } catch (error) {
       if (signal.aborted) return;

@@ -1,3 +1,4 @@
+import './browser-check.ts';
 import './theme.css';
 import './base.css';
 import './controls.css';
@@ -57,8 +58,8 @@ function open(choice: SourceChoice, options: RunOptions): void {
   }
 }
 
-function openFile(file: File): void {
-  if (!compareSheet.take(file)) open({ kind: 'file', file }, {});
+function openFile(file: File, onDisk = true): void {
+  if (!compareSheet.take(file, onDisk)) open({ kind: 'file', file, onDisk }, {});
 }
 
 function openSample({ shape, size, options = {} }: Sample): void {
@@ -75,7 +76,7 @@ fileInput.addEventListener('change', () => {
   fileInput.value = '';
   if (file) openFile(file);
 });
-acceptDrops(byId('plateau', HTMLElement), openFile);
+acceptDrops(byId('plateau', HTMLElement), (file) => openFile(file));
 acceptPastes(openFile);
 
 sampleSelect.append(

@@ -1,3 +1,4 @@
+import { PlateauError } from '../client/plateau-error.ts';
 import type { CloudSource } from '../worker/protocol.ts';
 import { BUNNY, COLORS } from './samples.ts';
 
@@ -13,17 +14,30 @@ export function measuredShape({ shape, size, noise = 0 }: Asked): Promise<CloudS
   return shape === COLORS ? colors(size) : undefined;
 }
 
+/** What a shape is made of, as a program that lies beside this one. */
+async function loaded<T>(shape: string, program: Promise<T>): Promise<T> {
+  try {
+    return await program;
+  } catch (cause) {
+    throw new PlateauError(
+      'cannot-read',
+      `What the shape "${shape}" is made of cannot be read: it is gone from its server, or there is no answer.`,
+      { cause },
+    );
+  }
+}
+
 function asFile(name: string, text: string): CloudSource {
   return { kind: 'file', name, bytes: new TextEncoder().encode(text).buffer };
 }
 
 async function bunny(size: number, noise: number): Promise<CloudSource> {
-  const { bunnyText } = await import('../model/bunny-points.ts');
+  const { bunnyText } = await loaded(BUNNY, import('../model/bunny-points.ts'));
   return asFile('bunny.xyz', bunnyText(size, noise));
 }
 
 /** Distances. */
 async function colors(size: number): Promise<CloudSource> {
-  const { colorDistances } = await import('../model/color-distances.ts');
+  const { colorDistances } = await loaded(COLORS, import('../model/color-distances.ts'));
   return asFile('colors.csv', await colorDistances(size));
 }

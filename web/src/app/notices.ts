@@ -1,4 +1,4 @@
-import { PlateauError, type ErrorCode } from '../client/plateau-error.ts';
+import { PlateauError, WORKER_FAILED, type ErrorCode } from '../client/plateau-error.ts';
 import { distancesInWords } from '../model/forecast.ts';
 import { flatness } from '../model/flatness.ts';
 import type { Opened } from '../worker/protocol.ts';
@@ -13,6 +13,7 @@ const ADVICE = 'Nothing was changed here. Mend the file and open it again, or op
 /** What is no table of points may still be one of distances: triangular, or with names. */
 const MAY_BE_DISTANCES =
   'Nothing was changed here. Are they distances? Else mend the file and open it again.';
+const WORKER_ADVICE = 'What is shown stays. Open the points again to go on.';
 const NO_NUMBERS_OR_RAGGED: readonly string[] = [
   'not-a-number',
   'ragged-rows',
@@ -52,7 +53,9 @@ export class Notices {
     const message = error instanceof Error ? error.message : String(error);
     const said = asksForColumns ? message.replace(COMMAND_OPTION, '.') : message;
     this.alert.textContent = about === '' ? said : `${about}: ${said}`;
-    setNotice(this.advice, about === '' ? '' : adviceOn(message, asksForColumns, asksForDistances));
+    const lost = error instanceof PlateauError && error.code === WORKER_FAILED;
+    const advice = about === '' ? '' : adviceOn(message, asksForColumns, asksForDistances);
+    setNotice(this.advice, lost ? WORKER_ADVICE : advice);
     this.trouble.hidden = message === '';
     // A question is no fault.
     this.trouble.classList.toggle('error', !asksForColumns);

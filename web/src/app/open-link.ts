@@ -10,11 +10,18 @@ async function choiceOf(source: LinkedSource): Promise<SourceChoice> {
   const file = new File([table], `${source.name}.csv`);
   // More than three columns are a question, which the link has answered.
   const columns = Array.from({ length: dimension }, (_, axis) => axis + 1);
-  return dimension > 3 ? { kind: 'file', file, columns } : { kind: 'file', file };
+  return { kind: 'file', file, onDisk: false, ...(dimension > 3 ? { columns } : {}) };
 }
 
-/** Opens what the address links to, if it is a link; what is shown stays if that fails. */
+/** How many links were followed. */
+let followed = 0;
+
+/**
+ * Opens what the address links to, if it is a link; what is shown stays if that fails. Points are unpacked first: a link
+ * that is followed meanwhile goes before.
+ */
 export async function openLink(page: Page, comparison: Comparison): Promise<boolean> {
+  const turn = ++followed;
   try {
     const linked = linkedIn(location.hash);
     if (!linked) return false;
@@ -22,11 +29,13 @@ export async function openLink(page: Page, comparison: Comparison): Promise<bool
     const { options, step, reached, view, beside } = linked;
     const choice = await choiceOf(linked.source);
     const second = beside && { ...beside, choice: beside.source ? await choiceOf(beside.source) : choice };
+    if (turn !== followed) return true;
     // Where two are compared the playhead is that of both.
     const arrival = second ? 'wait' : step > 0 ? 'return' : 'answer';
     await page.open(choice, options, arrival, false, { step, reached, view });
     if (second && page.currentChoice === choice) await comparison.open(second, second);
   } catch (error) {
+    if (turn !== followed) return true;
     page.showEmpty();
     page.showError(error);
   }

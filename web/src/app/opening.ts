@@ -1,4 +1,4 @@
-import type { RunOptions, SavedSession } from '../worker/protocol.ts';
+import type { RunOptions } from '../worker/protocol.ts';
 import type { ViewState } from '../model/view-state.ts';
 import type { SourceChoice } from './source.ts';
 
@@ -31,6 +31,6 @@ export interface Restored {
 }
 
 /** A session that is opened again with other settings is its points. */
-export function openingOf(choice: SourceChoice, { options }: SavedSession): Opening {
+export function openingOf(choice: SourceChoice, options: RunOptions): Opening {
   return { choice: choice.kind === 'file' ? { ...choice, newOptions: true } : choice, options };
 }

@@ -136,7 +136,7 @@ export class Page implements FeedListener, WalkScreen {
         return;
       }
       const { session } = run.opened;
-      const opened = session ? openingOf(choice, session) : { choice, options };
+      const opened = session ? openingOf(choice, session.options) : { choice, options };
       const restored = session ? { ...session, view: viewOf(session.view) } : linked;
       const feed = new RunFeed(run, this, restored?.reached);
       this.show(feed, opened, session ? 'return' : arrival, begin);
@@ -161,7 +161,7 @@ export class Page implements FeedListener, WalkScreen {
   /** The file whose columns were asked for; none: they are distances. */
   openFailedWith(columns: readonly number[], options: RunOptions): void {
     if (this.askedChoice?.kind !== 'file') return;
-    void this.open({ kind: 'file', file: this.askedChoice.file, columns }, options, 'answer');
+    void this.open({ ...this.askedChoice, columns }, options, 'answer');
   }
 
   showError(error: unknown, about = ''): void {

@@ -9,14 +9,15 @@ function takesText(target: EventTarget | null): boolean {
   return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
 }
 
-/** Files and text pasted anywhere but into a field for text. */
-export function acceptPastes(onFile: (file: File) => void): void {
+/** Files and text pasted anywhere but into a field for text; text is a file that is on no disk. */
+export function acceptPastes(onFile: (file: File, onDisk: boolean) => void): void {
   document.addEventListener('paste', (event) => {
     if (event.defaultPrevented || takesText(event.target)) return;
     const text = event.clipboardData?.getData('text/plain') ?? '';
-    const file = event.clipboardData?.files[0] ?? (text.trim() === '' ? undefined : new File([text], PASTED));
+    const copied = event.clipboardData?.files[0];
+    const file = copied ?? (text.trim() === '' ? undefined : new File([text], PASTED));
     if (!file) return;
     event.preventDefault();
-    onFile(file);
+    onFile(file, copied !== undefined);
   });
 }

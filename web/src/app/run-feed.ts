@@ -46,9 +46,7 @@ export class RunFeed {
     if (this.pulling || this.resting) return;
     this.pulling = true;
     this.pull()
-      .catch((error: unknown) => {
-        if (!this.stopped) this.tell((listener) => listener.failed(error));
-      })
+      .catch((error: unknown) => this.fail(error))
       .finally(() => {
         this.pulling = false;
       });
@@ -68,7 +66,7 @@ export class RunFeed {
     if (this.record.ended) return;
     this.run.resume().then(
       () => this.start(),
-      (error: unknown) => this.tell((listener) => listener.failed(error)),
+      (error: unknown) => this.fail(error),
     );
   }
 
@@ -91,6 +89,11 @@ export class RunFeed {
     this.stopped = true;
     // A dead worker has nothing to free.
     this.run.close().catch(() => undefined);
+  }
+
+  /** What ends because the run was freed is no fault. */
+  private fail(error: unknown): void {
+    if (!this.stopped) this.tell((listener) => listener.failed(error));
   }
 
   private tell(what: (listener: FeedListener) => void): void {

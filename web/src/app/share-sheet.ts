@@ -30,6 +30,8 @@ interface SharedSource {
 }
 
 const WITH_LINK = 'The link holds points, settings, step and view. Whoever opens it sees what you see.';
+const WITH_BOTH =
+  'The link holds both runs, their points and settings, the scale and the views. Whoever opens it sees what you see.';
 const AS_SESSION = 'A session is a file that holds all of it and can be dropped on this page.';
 const SESSION_EACH = 'A session is a file that holds one run: save it where that run is alone on the page.';
 
@@ -70,15 +72,30 @@ async function shared(
   });
   if (fragment.length > LONGEST_LINK)
     return { words: `${grouped(run.opened.points)} points do not fit into a link. ${elsewhere}` };
-  return { fragment, words: `${WITH_LINK}${first.words}${second?.words ?? ''}` };
+  return { fragment, words: `${beside ? WITH_BOTH : WITH_LINK}${first.words}${second?.words ?? ''}` };
 }
 
-/** The command that computes the run again; none where its points are on no disk. */
-function commandOf({ choice, options, record }: ShownRun): string {
-  const words = commandWords(options);
+/** A session runs with its own options, as the command does; unless its stop at the noise was lifted here. */
+function runsAsSaved({ options, opened, record }: ShownRun): boolean {
+  const { noiseStopFrom = Infinity } = options;
+  return opened.session !== undefined && (record.endedAtNoise || opened.points < noiseStopFrom);
+}
+
+/**
+ * The command that computes the run again; none where its points are on no disk, where it did not come to its end, or
+ * where settings of a session were changed: those that were cleared the command would take from the file.
+ */
+function commandOf(run: ShownRun): string {
+  const { choice, options, opened, record } = run;
+  if (record.state !== 'finished') return '';
+  const ofSession = opened.session !== undefined || (choice.kind === 'file' && choice.newOptions === true);
+  if (ofSession && !runsAsSaved(run)) return '';
+  const words = ofSession ? '' : commandWords(options);
+  const end = record.endedAtNoise && !ofSession ? ' --until noise' : '';
   const nth = record.plateausPassed > 0 ? ` --nth ${record.plateausPassed + 1}` : '';
-  const tail = `${words === '' ? '' : ` ${words}`}${nth} --hash`;
+  const tail = `${words === '' ? '' : ` ${words}`}${end}${nth} --hash`;
   if (choice.kind === 'file') {
+    if (choice.onDisk === false) return '';
     const columns = choice.columns?.length ? ` --columns ${choice.columns.join(',')}` : '';
     return `plateau run '${choice.file.name.replaceAll("'", "'\\''")}'${columns}${tail}`;
   }
@@ -131,10 +148,12 @@ export class ShareSheet {
     this.link.value = fragment === undefined ? '' : `${origin}${pathname}#${fragment}`;
     const runs = second ? [run, second] : [run];
     const commands = runs.map(commandOf);
-    const complete = runs.every(({ record }) => record.ended) && !commands.includes('');
     this.command.value = commands.join('; ');
-    byId('share-command-row', HTMLElement).hidden = !complete;
-    byId('share-hash', HTMLElement).textContent = runs.map(({ record }) => record.hash).join(' and ');
+    byId('share-command-row', HTMLElement).hidden = commands.includes('');
+    const hashes = runs.map(({ record }) => record.hash).join(' and ');
+    byId('share-prints', HTMLElement).textContent = second
+      ? `They print the same numbers, and the same hashes: ${hashes}.`
+      : `It prints the same numbers, and the same hash: ${hashes}.`;
     this.copied.textContent = '';
     this.dialog.showModal();
     this.link.select();

@@ -10,7 +10,10 @@ export type SourceChoice =
       readonly kind: 'file';
       readonly file: File;
       readonly columns?: readonly number[];
-      /** A session is run with the settings of the page. */ readonly newOptions?: boolean;
+      /** A session is run with the settings of the page. */
+      readonly newOptions?: boolean;
+      /** False: it was made here, of a link or of text, and no command finds it. */
+      readonly onDisk?: boolean;
     };
 
 /** What the page begins with. */

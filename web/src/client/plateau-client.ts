@@ -18,6 +18,7 @@ function outOfTurn(event: WorkerEvent): PlateauError {
 /** A run in the worker. Close it when it is no longer shown; its memory is freed there. */
 export class RemoteRun {
   private readonly life: number;
+  private closing: Promise<WorkerEvent> | undefined;
 
   constructor(
     private readonly link: WorkerLink,
@@ -73,12 +74,15 @@ export class RemoteRun {
     await this.send({ kind: 'runToNextPlateau', runId: this.runId });
   }
 
+  /** Twice is once. */
   async close(): Promise<void> {
-    await this.send({ kind: 'close', runId: this.runId });
+    this.closing ??= this.send({ kind: 'close', runId: this.runId });
+    await this.closing;
   }
 
   /** A run ends with its worker: another one would not know it. */
-  private send(request: OutgoingRequest): Promise<WorkerEvent> {
+  private async send(request: OutgoingRequest): Promise<WorkerEvent> {
+    if (this.closing) throw new PlateauError('closed', 'The run was closed.');
     return this.link.sendWithin(this.life, request);
   }
 }

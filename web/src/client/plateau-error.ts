@@ -16,7 +16,7 @@ export type ErrorCode =
   | 'unknown-format'
   /** The number of coordinates is none that the family takes, or a table does not say which columns they are. */
   | 'unsupported-dimension'
-  /** An option is unknown or out of its range. */
+  /** An option or another value is unknown, of the wrong type, or out of its range. */
   | 'invalid-option'
   /** The run will not fit into the memory, or has filled it. What was computed stays. */
   | 'out-of-memory'
@@ -26,6 +26,8 @@ export type ErrorCode =
   | 'cannot-write'
   /** A fault of the program; please report it. */
   | 'internal'
+  /** The run was closed, and what waited for it with it. */
+  | 'closed'
   /** The worker or the WebAssembly module could not be started, or died. The next opening starts anew. */
   | 'worker-failed'
   /** The browser lacks something that nothing can stand in for. */

@@ -24,10 +24,13 @@ const SILENT_LOOKS = 6;
 
 /**
  * Requests become promises. Every promise settles: with its answer, with a failure of the core, or, when the worker
- * dies or falls silent, with a readable failure. A dead worker is replaced by the next request.
+ * dies or falls silent, with a readable failure. A dead worker is replaced by the next request. As long as a worker
+ * loads its program nobody looks: that takes what the network takes, and a failure there is heard of.
  */
 export class WorkerLink {
   private worker: WorkerLike | undefined;
+  /** Whether its program is loaded. */
+  private ready = false;
   private readonly pending = new Map<number, Pending>();
   private nextRequestId = 1;
   private silentLooks = 0;
@@ -45,7 +48,7 @@ export class WorkerLink {
     const requestId = this.nextRequestId++;
     return new Promise((resolve, reject) => {
       this.pending.set(requestId, { resolve, reject });
-      this.startWatch();
+      if (this.ready) this.startWatch();
       try {
         this.worker ??= this.start();
         this.worker.postMessage({ ...request, requestId }, transfer);
@@ -66,21 +69,23 @@ export class WorkerLink {
   async sendWithin(life: number, request: OutgoingRequest): Promise<WorkerEvent> {
     const { death } = this;
     if (!death || life === this.lives) return this.send(request);
-    throw new PlateauError(WORKER_FAILED, `This run is not open any more. ${death.message}`, {
-      cause: death,
-    });
+    throw new PlateauError(death.code, `This run is not open any more. ${death.message}`, { cause: death });
   }
 
   /** Ends the worker; what is pending fails. The next request starts a fresh one. */
   dispose(): void {
-    this.end(new PlateauError(WORKER_FAILED, 'The computation was closed.'));
+    this.end(new PlateauError('closed', 'The computation was closed.'));
   }
 
   private start(): WorkerLike {
     const worker = this.spawn();
     worker.onmessage = ({ data }) => {
       this.silentLooks = 0;
-      if (data.kind === 'ready') return;
+      if (data.kind === 'ready') {
+        this.ready = true;
+        if (this.pending.size > 0) this.startWatch();
+        return;
+      }
       const waiting = this.pending.get(data.requestId);
       if (!waiting) return;
       this.pending.delete(data.requestId);
@@ -113,10 +118,7 @@ export class WorkerLink {
   }
 
   private die(reason: string): void {
-    const error = new PlateauError(
-      WORKER_FAILED,
-      `The computation stopped unexpectedly (${reason}). What is shown stays; open the points again to go on.`,
-    );
+    const error = new PlateauError(WORKER_FAILED, `The computation stopped unexpectedly (${reason}).`);
     this.end(error);
     this.onDeath(error);
   }
@@ -125,7 +127,12 @@ export class WorkerLink {
     this.stopWatch();
     this.lives += 1;
     this.death = error;
-    this.worker?.terminate();
+    this.ready = false;
+    if (this.worker) {
+      // What it still has to say is not of the next one.
+      this.worker.onmessage = this.worker.onmessageerror = this.worker.onerror = null;
+      this.worker.terminate();
+    }
     this.worker = undefined;
     const waiting = [...this.pending.values()];
     this.pending.clear();

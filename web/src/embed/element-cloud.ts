@@ -1,8 +1,9 @@
 import { measuredShape } from '../app/measured-shapes.ts';
-import { SAMPLES } from '../app/samples.ts';
+import { BUNNY, COLORS, SAMPLES } from '../app/samples.ts';
 import { PlateauError } from '../client/plateau-error.ts';
 import { SCAN_POINTS } from '../model/forecast.ts';
 import { npyOf } from '../package/cloud.ts';
+import { demand, demandIfGiven } from '../package/given.ts';
 import type { CloudSource, RunOptions } from '../worker/protocol.ts';
 import type { ElementSource } from './settings.ts';
 
@@ -10,6 +11,26 @@ import type { ElementSource } from './settings.ts';
 export type Given =
   | { readonly kind: 'file'; readonly file: File; readonly columns?: readonly number[] }
   | { readonly kind: 'points'; readonly points: Float64Array; readonly dimension: number };
+
+/** How points are read that a call gives. */
+export interface LoadOptions {
+  /** Coordinates a point of a Float64Array; 3 unless given. */
+  readonly dimension?: number;
+  /** Which columns of a table are the coordinates, from 1. */
+  readonly columns?: readonly number[];
+}
+
+/** What a call gives; with a sentence for what cannot be meant. */
+export function givenBy(points: File | Float64Array, options: LoadOptions): Given {
+  demand('load', points, 'a File or a Float64Array');
+  demand('The second argument of load', options, 'an object');
+  const { dimension = 3, columns } = options;
+  demand('dimension', dimension, 'a number');
+  demandIfGiven('columns', columns, 'a list of numbers');
+  return points instanceof Float64Array
+    ? { kind: 'points', points, dimension }
+    : { kind: 'file', file: points, ...(columns ? { columns } : {}) };
+}
 
 /** What an element opens. */
 export type Opening = ElementSource | Given;
@@ -54,6 +75,13 @@ async function fetched(address: string, signal: AbortSignal): Promise<ArrayBuffe
   if (!answer.ok)
     throw new PlateauError('cannot-read', `${url.href} cannot be read: it answers ${answer.status}.`);
   return answer.arrayBuffer();
+}
+
+/** An element has more shapes than the core, which names only its own. */
+export function toldOf(error: unknown, { kind }: Opening): unknown {
+  if (kind !== 'shape' || !(error instanceof PlateauError) || !/^There is no shape/.test(error.message))
+    return error;
+  return new PlateauError(error.code, error.message.replace(/\.$/, `, ${BUNNY}, ${COLORS}.`));
 }
 
 /** The points as a run is given them. Points that were given stay as they are: they may be opened again. */

@@ -7,8 +7,10 @@ const view = document.querySelector('plateau-view');
 function follow(): void {
   const asked = new URLSearchParams(location.search);
   for (const [name, value] of new URLSearchParams(location.hash.slice(1))) asked.set(name, value);
-  for (const name of ATTRIBUTES) {
+  for (const name of [...ATTRIBUTES, 'aria-label']) {
     const value = asked.get(name) ?? (name === 'panels' ? 'full' : null);
+    // What did not change is not asked for once more.
+    if (value === view?.getAttribute(name)) continue;
     if (value === null) view?.removeAttribute(name);
     else view?.setAttribute(name, value);
   }

@@ -55,16 +55,26 @@ export function createParts() {
   const said = make('p', { role: 'alert' });
   const dismiss = make('button', { type: 'button', class: 'dismiss', 'aria-label': 'Dismiss' });
   dismiss.append(icon({ 'M4 3l4 4 4-4 1 1-4 4 4 4-1 1-4-4-4 4-1-1 4-4-4-4z': 'solid' }));
-  const trouble = make('div', { class: 'trouble', hidden: '' }, said, dismiss);
+  const again = make('button', { type: 'button', class: 'button again', hidden: '' }, 'Try again');
+  const trouble = make('div', { class: 'trouble', hidden: '' }, said, again, dismiss);
 
   const column = make('div', { class: 'column' }, stage, bar, film);
-  const view = make('div', { class: 'view', role: 'group' }, trouble, column, side);
+  // Its words and numbers are English, whatever the language of the page.
+  const english = { lang: 'en', dir: 'ltr' };
+  const view = make(
+    'div',
+    { class: 'view', role: 'group', tabindex: '-1', ...english },
+    trouble,
+    column,
+    side,
+  );
   const box = make('div', { class: 'box' }, view);
   return {
     box,
     view,
     trouble,
     said,
+    again,
     dismiss,
     stage,
     still,

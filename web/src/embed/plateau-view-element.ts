@@ -1,36 +1,33 @@
-import type { RemoteRun } from '../client/plateau-client.ts';
 import { codeOf, PlateauError, type ErrorCode } from '../client/plateau-error.ts';
-import { demandBrowser } from '../package/browser-floor.ts';
+import { browserFault } from '../package/browser-floor.ts';
 import type { ClientShare } from '../package/shared-client.ts';
-import { cloudOf, nameOf, optionsFor, type Given, type Opening } from './element-cloud.ts';
-import { plateauDetail, type PlateauDetail, type PlateauViewEventMap } from './events.ts';
+import { openPoints } from '../client/open-points.ts';
+import { destinationOf, playing, still, type Destination } from './destination.ts';
+import {
+  cloudOf,
+  givenBy,
+  nameOf,
+  optionsFor,
+  toldOf,
+  type Given,
+  type LoadOptions,
+  type Opening,
+} from './element-cloud.ts';
+import { plateauDetail, readyDetail, type PlateauDetail } from './events.ts';
 import { createParts, type Parts } from './parts.ts';
 import { ReflectingElement } from './reflecting-element.ts';
-import { ATTRIBUTES, settingsOf, type Settings } from './settings.ts';
+import { ATTRIBUTES, OF_OPENING, settingsOf, type Settings } from './settings.ts';
 import { sharedWorker } from './shared-worker.ts';
 import { elementStyle } from './style.ts';
-import { Viewer, type Destination } from './viewer.ts';
+import { Trouble } from './trouble.ts';
+import { Viewer } from './viewer.ts';
 
-const EMPTY = 'Nothing to show yet: this element needs a shape or a src.';
+const REPLACED = 'Another opening came in between.';
 
 /** Whoever called `load` and waits. */
 interface Waiting {
   readonly resolve: () => void;
   readonly reject: (reason: unknown) => void;
-}
-
-/** How points are read that a call gives. */
-export interface LoadOptions {
-  /** Coordinates a point of a Float64Array; 3 unless given. */
-  readonly dimension?: number;
-  /** Which columns of a table are the coordinates, from 1. */
-  readonly columns?: readonly number[];
-}
-
-function reading(points: File | Float64Array, { dimension = 3, columns }: LoadOptions): Given {
-  return points instanceof Float64Array
-    ? { kind: 'points', points, dimension }
-    : { kind: 'file', file: points, ...(columns ? { columns } : {}) };
 }
 
 /**
@@ -47,19 +44,24 @@ export class PlateauViewElement extends ReflectingElement {
 
   private parts: Parts | undefined;
   private viewer: Viewer | undefined;
+  private trouble: Trouble | undefined;
   private share: ClientShare | undefined;
   private opening: AbortController | undefined;
   /** What is opened or being opened, to see whether the attributes ask for something else. */
   private asked = '';
-  private destination = '';
+  /** It could not be opened, or its worker died: the same is tried again when it is asked for again. */
+  private refused = false;
+  /** Where the attributes sent the playhead; '': they are to send it anew. */
+  private sent = '';
+  /** Where calls sent it before what is to come could be watched. */
+  private wished: Destination | undefined;
   private given: Given | undefined;
   private givenOver = '';
   private waiting: Waiting[] = [];
-  private complained = '';
   private told: unknown;
   private inView = false;
   private scheduled = false;
-  private unsupported = false;
+  private unsupported: PlateauError | undefined;
   private readonly watch = new IntersectionObserver((entries) =>
     this.seen(entries.at(-1)?.isIntersecting ?? false),
   );
@@ -75,9 +77,12 @@ export class PlateauViewElement extends ReflectingElement {
     return this.viewer?.record?.stepCount ?? 0;
   }
 
-  /** Whether the film runs, or will as soon as the element is in view. */
+  /** Whether the film runs, or will as soon as there is one and the element is in view. */
   get playing(): boolean {
-    return this.viewer?.playing ?? false;
+    const settings = settingsOf(this);
+    const { viewer, opening, refused } = this;
+    const comes = (opening || !viewer?.record) && !refused && (this.given ?? settings.source) !== undefined;
+    return (viewer?.playing ?? false) || (comes && this.destinationIn(settings).kind === 'film');
   }
 
   /** The plateaus so far, the longest first; those of few landmarks last. */
@@ -90,54 +95,52 @@ export class PlateauViewElement extends ReflectingElement {
     return this.viewer?.complete ?? false;
   }
 
-  /** Lets the film run, from the beginning if it is at its end. */
+  /**
+   * Lets the film run, from the beginning if it is at its end. This, `pause` and `goTo` can be called at any time: what
+   * is called before the points can be watched counts as soon as they can.
+   */
   play(): void {
+    this.wish(playing);
     this.viewer?.play();
   }
 
   /** Stops the film. */
   pause(): void {
+    this.wish(still);
     this.viewer?.pause();
   }
 
-  /** Shows a step, or the last one that is computed; stops the film. */
+  /** Shows a step, or the last one that is computed, which is also that of `Infinity`; stops the film. */
   goTo(step: number): void {
-    this.viewer?.goTo(step);
+    const wanted = Math.max(1, Math.round(step));
+    if (Number.isNaN(wanted)) throw new PlateauError('invalid-option', 'goTo takes the number of a step.');
+    this.wish(() => ({ kind: 'step', step: wanted }));
+    this.viewer?.goTo(wanted);
   }
 
   /**
    * Opens a file, or points as numbers, instead of what the attributes name; what is shown stays until the new points
    * can be watched, and for good if that fails. Resolves with the event `ready`, rejects with the event `error`, or
-   * with an AbortError where another opening or the removal of the element came in between.
+   * with an AbortError where another opening or the removal of the element came in between. Before the element is part
+   * of a page it waits for that.
    */
-  load(points: File | Float64Array, options: LoadOptions = {}): Promise<void> {
-    this.given = reading(points, options);
+  async load(points: File | Float64Array, options: LoadOptions = {}): Promise<void> {
+    if (this.unsupported) throw this.unsupported;
+    let given: Given;
+    try {
+      given = givenBy(points, options);
+    } catch (error) {
+      this.fail(error);
+      throw error;
+    }
+    this.giveUp(REPLACED);
+    this.given = given;
     this.givenOver = JSON.stringify(settingsOf(this).source ?? null);
     this.asked = '';
-    this.giveUp();
-    return new Promise((resolve, reject) => {
+    await new Promise<void>((resolve, reject) => {
       this.waiting.push({ resolve, reject });
       this.schedule();
     });
-  }
-
-  /** As of every element; the events of this one have their details. */
-  override addEventListener<K extends keyof PlateauViewEventMap>(
-    type: K,
-    listener: (event: PlateauViewEventMap[K]) => unknown,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
-  override addEventListener(
-    type: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
-  override addEventListener(
-    type: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | AddEventListenerOptions,
-  ): void {
-    super.addEventListener(type, listener, options);
   }
 
   /** @internal */
@@ -165,6 +168,9 @@ export class PlateauViewElement extends ReflectingElement {
   /** @internal */
   attributeChangedCallback(name: string): void {
     if (name === 'theme') this.applyTheme();
+    if (name === 'step' || name === 'plateau' || name === 'autoplay') this.sendAnew(name);
+    // What failed is tried again when it is asked for again.
+    else if (this.refused && OF_OPENING.includes(name)) this.asked = '';
     if (this.viewer) this.schedule();
   }
 
@@ -172,24 +178,22 @@ export class PlateauViewElement extends ReflectingElement {
   private build(): void {
     const root = this.shadowRoot ?? this.attachShadow({ mode: 'open' });
     root.replaceChildren();
-    try {
-      demandBrowser('element');
-    } catch (error) {
-      this.unsupported = true;
-      root.append(error instanceof Error ? error.message : String(error));
-      this.tell(error);
+    const unsupported = (this.unsupported = browserFault('element'));
+    if (unsupported) {
+      root.append(unsupported.message);
+      this.tell(unsupported);
+      this.settle(({ reject }) => reject(unsupported));
       return;
     }
     root.adoptedStyleSheets = [elementStyle()];
     const parts = (this.parts = createParts());
-    parts.dismiss.addEventListener('click', () => (parts.trouble.hidden = true));
-    parts.empty.textContent = EMPTY;
+    this.trouble = new Trouble(parts, () => this.tryAgain());
     root.append(parts.box);
     this.viewer = new Viewer(parts, {
       stepped: ({ step, epsilon, family, betti, torsion }) =>
         this.emit('step', { step, epsilon, family, betti, ...(torsion ? { torsion } : {}) }),
       arrived: (card, rank) => this.emit('plateau', plateauDetail(card, rank)),
-      failed: (error) => this.fail(error),
+      failed: (error) => this.lose(error),
       stopped: (failure) => this.failWith(codeOf(failure), failure.message),
       noGraphics: (sentence) => this.tell(new PlateauError('no-graphics', sentence)),
       noSuchPlateau: (rank, plateaus) =>
@@ -198,15 +202,14 @@ export class PlateauViewElement extends ReflectingElement {
   }
 
   private tearDown(): void {
-    this.giveUp();
-    this.settle(({ reject }) => reject(new DOMException('The element was removed.', 'AbortError')));
+    this.giveUp('The element was removed.');
     this.viewer?.dispose();
-    this.viewer = undefined;
-    this.parts = undefined;
+    this.viewer = this.parts = this.trouble = undefined;
     this.share?.release();
     this.share = undefined;
-    this.inView = false;
-    this.asked = this.destination = this.complained = '';
+    this.inView = this.refused = false;
+    this.asked = this.sent = '';
+    this.wished = undefined;
   }
 
   private seen(inView: boolean): void {
@@ -231,73 +234,118 @@ export class PlateauViewElement extends ReflectingElement {
     viewer.setPanels(settings.panels);
     this.complain(settings.complaints);
     // Points that were given hold until the attributes name others.
-    if (JSON.stringify(settings.source ?? null) !== this.givenOver) this.given = undefined;
+    if (this.given && JSON.stringify(settings.source ?? null) !== this.givenOver) {
+      this.given = undefined;
+      this.giveUp(REPLACED);
+    }
     const opening = this.given ?? settings.source;
     this.nameView(opening);
-    if (!opening) {
-      if (this.parts && !viewer.record) this.parts.empty.hidden = false;
-      return;
-    }
-    if (!this.inView && this.waiting.length === 0) return;
-    const destination = this.destinationOf(settings);
+    if (!opening) this.openNothing(viewer);
+    else if (this.inView || this.waiting.length > 0) this.openOrSend(opening, settings, viewer);
+    this.showNote(opening);
+  }
+
+  private openOrSend(opening: Opening, settings: Settings, viewer: Viewer): void {
     const asked = JSON.stringify([this.given ? this.givenOver : settings.source, settings.options]);
-    const sent = JSON.stringify(destination);
+    const sent = JSON.stringify(destinationOf(settings));
     if (asked !== this.asked) {
       this.asked = asked;
-      this.destination = sent;
-      void this.open(opening, settings, destination, viewer);
-    } else if (sent !== this.destination) {
-      this.destination = sent;
-      viewer.send(destination);
+      void this.open(opening, settings, viewer);
+    } else if (sent !== this.sent && !this.opening) {
+      viewer.send(this.destinationIn(settings));
     }
+    this.sent = sent;
+    if (!this.isToCome) this.wished = undefined;
   }
 
-  private destinationOf({ autoplay, step, plateau }: Settings): Destination {
-    // Visitors who asked for less motion start the film themselves.
-    const moves = autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches;
-    if (moves) return { kind: 'film', from: step ?? 1 };
-    if (step !== undefined) return { kind: 'step', step };
-    return { kind: 'plateau', rank: plateau ?? 1, asked: plateau !== undefined };
+  /** What is shown stays; what was under way to replace it is not wanted any more. */
+  private openNothing(viewer: Viewer): void {
+    if (!this.opening) return;
+    this.giveUp(REPLACED);
+    this.asked = '';
+    viewer.goOn();
   }
 
-  private async open(
-    opening: Opening,
-    { options }: Settings,
-    destination: Destination,
-    viewer: Viewer,
-  ): Promise<void> {
+  /** Whether another run is to be shown than the one that is, if there is one. */
+  private get isToCome(): boolean {
+    return !this.viewer?.record || this.opening !== undefined || this.scheduled;
+  }
+
+  private destinationIn(settings: Settings): Destination {
+    return this.wished ?? destinationOf(settings);
+  }
+
+  /** What a call asks of the run that is to come. */
+  private wish(change: (to: Destination) => Destination): void {
+    if (this.isToCome) this.wished = change(this.destinationIn(settingsOf(this)));
+  }
+
+  /** An attribute was written that sends the playhead: it goes there also if it was sent there before. */
+  private sendAnew(name: string): void {
+    if (name !== 'autoplay' || this.autoplay) {
+      this.wished = undefined;
+      this.sent = '';
+      return;
+    }
+    // Without autoplay the film stops where it is.
+    this.pause();
+    if (this.sent !== '') this.sent = JSON.stringify(destinationOf(settingsOf(this)));
+  }
+
+  private tryAgain(): void {
+    this.asked = '';
+    this.schedule();
+  }
+
+  private async open(opening: Opening, { options }: Settings, viewer: Viewer): Promise<void> {
     this.opening?.abort();
     const { signal } = (this.opening = new AbortController());
-    const view = this.parts?.view;
-    view?.setAttribute('aria-busy', 'true');
+    this.refused = false;
+    this.parts?.view.setAttribute('aria-busy', 'true');
     viewer.makeWay();
     try {
       // Whoever has all that was to come loses nothing with the worker.
       this.share ??= sharedWorker().share((error) => {
-        if (!viewer.record?.ended) this.fail(error);
+        if (!viewer.record?.ended) this.lose(error);
       });
-      const { client } = this.share;
-      const run = await client.open(await cloudOf(opening, signal), optionsFor(opening, options), signal);
-      this.quiet();
-      viewer.show(run, destination);
+      const read = () => cloudOf(opening, signal);
+      const { run } = await openPoints(this.share.client, read, optionsFor(opening, options), signal);
+      viewer.show(run, this.destinationIn(settingsOf(this)));
+      this.wished = undefined;
+      this.endOpening();
+      this.trouble?.quiet();
       this.nameView(opening);
-      this.tellReady(opening, run);
-      this.settle(({ resolve }) => resolve());
+      // Who hears of it may open something else.
+      const waiting = this.waiting.splice(0);
+      this.emit('ready', readyDetail(nameOf(opening), run.opened));
+      for (const { resolve } of waiting) resolve();
     } catch (error) {
       if (signal.aborted) return;
+      this.endOpening();
       viewer.goOn();
-      this.fail(error);
-      this.settle(({ reject }) => reject(error));
+      if (viewer.record) this.wished = undefined;
+      const told = toldOf(error, opening);
+      this.lose(told);
+      this.showNote(opening);
+      this.settle(({ reject }) => reject(told));
     }
-    view?.removeAttribute('aria-busy');
+  }
+
+  private endOpening(): void {
     this.opening = undefined;
+    this.parts?.view.removeAttribute('aria-busy');
   }
 
   /** Ends the opening that is under way; those who wait for it are told. */
-  private giveUp(): void {
+  private giveUp(reason: string): void {
     this.opening?.abort();
-    this.opening = undefined;
-    this.settle(({ reject }) => reject(new DOMException('Another opening came in between.', 'AbortError')));
+    this.endOpening();
+    this.settle(({ reject }) => reject(new DOMException(reason, 'AbortError')));
+  }
+
+  private showNote(opening: Opening | undefined): void {
+    if (this.viewer?.record) return;
+    this.trouble?.note(opening && nameOf(opening), this.opening !== undefined, this.refused);
   }
 
   private settle(end: (waiting: Waiting) => void): void {
@@ -309,50 +357,29 @@ export class PlateauViewElement extends ReflectingElement {
     this.parts?.view.setAttribute('aria-label', name);
   }
 
-  private tellReady(opening: Opening, { opened }: RemoteRun): void {
-    const { points, dimension, family, nu, stepsPlanned, warnings } = opened;
-    this.emit('ready', { name: nameOf(opening), points, dimension, family, nu, stepsPlanned, warnings });
-  }
-
   /** Says once what was not understood. */
   private complain(complaints: readonly string[]): void {
     const sentence = complaints.join(' ');
-    if (sentence === this.complained) return;
-    this.complained = sentence;
-    if (sentence === '') this.quiet();
-    else this.failWith('bad-attribute', sentence);
+    if (this.trouble?.complain(sentence)) this.failWith('bad-attribute', sentence);
   }
 
   private failWith(code: ErrorCode, message: string): void {
     this.fail(new PlateauError(code, message));
   }
 
+  /** As `fail`, where the same could be tried again. */
+  private lose(error: unknown): void {
+    this.refused = true;
+    this.fail(error);
+  }
+
   /** Shows the sentence and tells of it; the death of a worker is heard of twice. */
   private fail(error: unknown): void {
     const { cause } = error instanceof Error ? error : {};
-    if (error === this.told || (cause !== undefined && cause === this.told)) return;
+    if (!this.trouble || error === this.told || (cause !== undefined && cause === this.told)) return;
     this.told = error;
-    if (this.parts) {
-      this.parts.said.textContent = error instanceof Error ? error.message : String(error);
-      this.parts.trouble.hidden = false;
-    }
+    this.trouble.say(error instanceof Error ? error.message : String(error), this.refused);
     this.tell(error);
-  }
-
-  /** What was wrong is over; what was not understood still is not. */
-  private quiet(): void {
-    if (!this.parts) return;
-    this.parts.said.textContent = this.complained;
-    this.parts.trouble.hidden = this.complained === '';
-  }
-
-  private tell(error: unknown): void {
-    const code = error instanceof PlateauError ? error.code : 'internal';
-    this.emit('error', { code, message: error instanceof Error ? error.message : String(error) });
-  }
-
-  private emit<K extends keyof PlateauViewEventMap>(name: K, detail: PlateauViewEventMap[K]['detail']): void {
-    this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
   }
 
   private readonly applyTheme = (): void => this.viewer?.applyTheme();

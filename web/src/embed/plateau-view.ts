@@ -11,7 +11,7 @@ import { shareWorker } from './shared-worker.ts';
 export { PlateauError, type ErrorCode } from '../client/plateau-error.ts';
 export type { Torsion } from '../model/record.ts';
 export type { ErrorDetail, PlateauDetail, PlateauViewEventMap, ReadyDetail, StepDetail } from './events.ts';
-export type { LoadOptions } from './plateau-view-element.ts';
+export type { LoadOptions } from './element-cloud.ts';
 export type { Panels, Theme } from './settings.ts';
 export { PlateauViewElement };
 

@@ -1,7 +1,8 @@
 import { ATTRIBUTES, type AttributeName, type Panels, type Theme } from './settings.ts';
+import { TellingElement } from './telling-element.ts';
 
 /** Attributes as properties: what is written to one is found in the other. */
-export class ReflectingElement extends HTMLElement {
+export class ReflectingElement extends TellingElement {
   /** One of the built-in shapes: `helix`, `torus`, `sphere` and others; '' for none. */
   get shape(): string {
     return this.text('shape');
@@ -34,7 +35,7 @@ export class ReflectingElement extends HTMLElement {
     this.write('seed', seed);
   }
 
-  /** Address of a file of points, relative to the page; goes before `shape`. '' for none. */
+  /** Address of a file of points or of a session (.plateau), relative to the page; goes before `shape`. '' for none. */
   get src(): string {
     return this.text('src');
   }
@@ -50,7 +51,7 @@ export class ReflectingElement extends HTMLElement {
     this.write('columns', list);
   }
 
-  /** Which complex is followed: `witness`, `delaunay`, `surface` or `auto`; '' as the points need it. */
+  /** Which complex is followed: `witness`, `delaunay`, `surface`, `auto` or `dilated`; '' as the points need it. */
   get family(): string {
     return this.text('family');
   }
@@ -95,7 +96,9 @@ export class ReflectingElement extends HTMLElement {
     return this.hasAttribute('autoplay');
   }
   set autoplay(plays: boolean) {
-    this.toggleAttribute('autoplay', plays);
+    // Written once more it is asked for once more.
+    if (plays) this.setAttribute('autoplay', '');
+    else this.removeAttribute('autoplay');
   }
 
   /** What is shown; `both` unless given. */

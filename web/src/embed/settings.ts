@@ -50,6 +50,19 @@ export const ATTRIBUTES = [
 ] as const;
 export type AttributeName = (typeof ATTRIBUTES)[number];
 
+/** Those that say what is opened and how; the others say how it is looked at. */
+export const OF_OPENING: readonly string[] = [
+  'shape',
+  'size',
+  'noise',
+  'seed',
+  'src',
+  'columns',
+  'family',
+  'nu',
+  'steps',
+] satisfies readonly AttributeName[];
+
 const PANELS: readonly Panels[] = ['shape', 'diagram', 'both', 'full'];
 const THEMES: readonly Theme[] = ['auto', 'light', 'dark'];
 /** Points of a shape that does not say its own. */

@@ -10,17 +10,10 @@ import { RunScreen } from '../app/run-screen.ts';
 import { NO_WEBGL, shapeViewIn } from '../app/shape-or-none.ts';
 import { StatusLine } from '../app/status-line.ts';
 import { Transport } from '../app/transport.ts';
+import { playing, still, type Destination } from './destination.ts';
 import type { Parts } from './parts.ts';
 import type { Panels } from './settings.ts';
 import { listenToShapeKeys } from './shape-keys.ts';
-
-/** Where the playhead goes when a run is shown. */
-export type Destination =
-  /** The film begins there. */
-  | { readonly kind: 'film'; readonly from: number }
-  | { readonly kind: 'step'; readonly step: number }
-  /** 1: the longest. Unless it was asked for by name, the longest that there is will do. */
-  | { readonly kind: 'plateau'; readonly rank: number; readonly asked: boolean };
 
 /** What happens inside, for the element to tell. */
 export interface ViewerListener {
@@ -100,7 +93,7 @@ export class Viewer {
   }
 
   get playing(): boolean {
-    return this.film.playing || this.playsWhenSeen;
+    return this.film.playing || this.playsWhenSeen || this.destination?.kind === 'film';
   }
 
   setPanels(panels: Panels): void {
@@ -179,9 +172,14 @@ export class Viewer {
     else this.play();
   }
 
+  /** Before the first step it is a wish, and so are `pause` and `goTo`. */
   play(): void {
     const { record } = this;
-    if (!record || record.stepCount === 0) return;
+    if (!record) return;
+    if (record.stepCount === 0) {
+      this.destination = playing(this.destination);
+      return;
+    }
     this.destination = undefined;
     if (!this.inView) {
       this.playsWhenSeen = true;
@@ -195,7 +193,9 @@ export class Viewer {
 
   pause(): void {
     this.playsWhenSeen = false;
-    if (this.destination?.kind === 'film') this.destination = undefined;
+    const { destination } = this;
+    if (destination?.kind === 'film')
+      this.destination = this.currentStep > 0 ? undefined : still(destination);
     this.film.pause();
   }
 
@@ -206,10 +206,11 @@ export class Viewer {
   /** To a step that is computed, or the last one that is. */
   goTo(step: number): void {
     const { record } = this;
-    if (!record || record.stepCount === 0) return;
-    this.destination = undefined;
+    if (!record) return;
     this.pause();
-    this.showStep(Math.min(record.stepCount, Math.max(1, Math.round(step))));
+    const wanted = Math.max(1, Math.round(step));
+    this.destination = record.stepCount === 0 ? { kind: 'step', step: wanted } : undefined;
+    if (record.stepCount > 0) this.showStep(Math.min(record.stepCount, wanted));
   }
 
   showFrame(step: number, recent: number): void {

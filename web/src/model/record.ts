@@ -21,6 +21,7 @@ export function shownFamilyName(code: number): ShownFamily {
 export interface Torsion {
   /** A prime p: they are over Z/p. */
   readonly field: number;
+  /** Components, loops, voids, … over that field. */
   readonly betti: readonly number[];
 }
 

@@ -34,19 +34,31 @@ const CORE: readonly (readonly [string, () => boolean])[] = [
   ['workers that are modules', takesModuleWorkers],
 ];
 
-const ELEMENT: readonly (readonly [string, () => boolean])[] = [
+const PAGE: typeof CORE = [
   ...CORE,
-  ['constructed style sheets', () => 'replaceSync' in CSSStyleSheet.prototype],
-  ['container queries', () => CSS.supports('container-type: inline-size')],
   ['mixed colors', () => CSS.supports('color: color-mix(in srgb, red, blue)')],
 ];
 
-/** Fails with a sentence that names the first thing that the browser lacks, for computing or also for showing. */
-export function demandBrowser(what: 'core' | 'element'): void {
-  const missing = (what === 'core' ? CORE : ELEMENT).find(([, present]) => !present());
-  if (!missing) return;
-  throw new PlateauError(
+const ELEMENT: typeof CORE = [
+  ...PAGE,
+  ['constructed style sheets', () => 'replaceSync' in CSSStyleSheet.prototype],
+  ['container queries', () => CSS.supports('container-type: inline-size')],
+];
+
+const NEEDED = { core: CORE, page: PAGE, element: ELEMENT } as const;
+
+/** A sentence that names the first thing that the browser lacks, for computing or also for showing; none: nothing. */
+export function browserFault(what: keyof typeof NEEDED): PlateauError | undefined {
+  const missing = NEEDED[what].find(([, present]) => !present());
+  if (!missing) return undefined;
+  return new PlateauError(
     'unsupported-browser',
     `This browser lacks ${missing[0]}. Plateau needs ${BROWSER_FLOOR}, or a newer one.`,
   );
+}
+
+/** Fails where the browser lacks something. */
+export function demandBrowser(what: keyof typeof NEEDED): void {
+  const fault = browserFault(what);
+  if (fault) throw fault;
 }

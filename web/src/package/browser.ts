@@ -17,7 +17,8 @@ const shared = new SharedClient(startPackagedWorker);
 
 /**
  * Reads the points and starts to compute; resolves as soon as the run can be watched. All runs of a page share one
- * worker, which ends when the last of them is closed.
+ * worker, which ends when the last of them is closed. In Node.js a run computes in slices of the same thread, between
+ * which everything else has its turn.
  *
  * @throws {@link PlateauError}, with a sentence for people and a code for programs.
  */

@@ -1,8 +1,10 @@
 import { PlateauError } from '../client/plateau-error.ts';
 import type { CloudSource } from '../worker/protocol.ts';
+import { demand, demandIfGiven } from './given.ts';
 
 /** One of the built-in shapes: `helix`, `torus`, `sphere` and others; an unknown name is answered with all of them. */
 export interface ShapeCloud {
+  /** By its name. */
   readonly shape: string;
   /** How many points. */
   readonly size: number;
@@ -20,7 +22,7 @@ export interface PointCloud {
   readonly dimension?: number;
 }
 
-/** A file as it is on disk: .xyz, .txt, .csv, .ply, .off, .obj, .pcd or .npy. */
+/** A file as it is on disk: .xyz, .txt, .csv, .ply, .off, .obj, .pcd, .npy, or a session, .plateau. */
 export interface FileCloud {
   /** Says by its ending what kind of file it is. */
   readonly name: string;
@@ -34,7 +36,9 @@ export interface FileCloud {
 export type Cloud = ShapeCloud | PointCloud | FileCloud;
 
 function flattened({ points, dimension }: PointCloud): { values: Float64Array; dimension: number } {
+  demand('points', points, 'a Float64Array or a list of points');
   if (points instanceof Float64Array) return { values: points, dimension: dimension ?? 3 };
+  points.forEach((point, i) => demand(`Point ${i}`, point, 'a list of numbers'));
   const width = dimension ?? points[0]?.length ?? 0;
   const ragged = points.findIndex((point) => point.length !== width);
   if (ragged >= 0)
@@ -72,11 +76,24 @@ export function npyOf(cloud: PointCloud): ArrayBuffer {
   return bytes.buffer;
 }
 
-/** The cloud as the core is given it. */
+/** The cloud as the core is given it; with a sentence for what is none. */
 export function sourceOf(cloud: Cloud): CloudSource {
-  if ('shape' in cloud) return { kind: 'sample', ...cloud };
+  demand('A cloud', cloud, 'an object');
+  if ('shape' in cloud) {
+    const { shape, size, noise, seed } = cloud;
+    demand('shape', shape, 'text');
+    demand('size', size, 'a number');
+    demandIfGiven('noise', noise, 'a number');
+    demandIfGiven('seed', seed, 'a number');
+    return { kind: 'sample', ...cloud };
+  }
   if ('points' in cloud) return { kind: 'file', name: 'points.npy', bytes: npyOf(cloud), anyDimension: true };
+  if (!('bytes' in cloud))
+    throw new PlateauError('invalid-option', 'A cloud has a shape, or points, or a name and bytes.');
   const { name, bytes, columns } = cloud;
+  demand('name', name, 'text');
+  demand('bytes', bytes, 'an ArrayBuffer or a Uint8Array');
+  demandIfGiven('columns', columns, 'a list of numbers');
   const copy = bytes instanceof ArrayBuffer ? bytes.slice(0) : new Uint8Array(bytes).buffer;
   return { kind: 'file', name, bytes: copy, ...(columns ? { columns, anyDimension: true } : {}) };
 }

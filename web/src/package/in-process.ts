@@ -5,7 +5,8 @@ import { WorkerRuntime } from '../worker/runtime.ts';
 
 /**
  * What the worker does, in this very thread: in slices between which everything else has its turn. Messages come one
- * after another and never within the call that sent them, as those of a worker.
+ * after another and never within the call that sent them, as those of a worker. It never says that it is ready, so
+ * nobody looks whether it is silent: who would look runs in the same thread.
  */
 export class InProcessWorker implements WorkerLike {
   onmessage: WorkerLike['onmessage'] = null;

@@ -1,5 +1,7 @@
+import { openPoints } from '../client/open-points.ts';
 import type { RunOptions } from '../worker/protocol.ts';
 import { sourceOf, type Cloud } from './cloud.ts';
+import { demand, demandIfGiven, demandOptions } from './given.ts';
 import { Run } from './run.ts';
 import type { SharedClient } from './shared-client.ts';
 
@@ -11,10 +13,16 @@ export interface OpenOptions extends RunOptions {
 
 /** Opens a run that holds the client as long as it is not closed. */
 export async function openWith(shared: SharedClient, cloud: Cloud, options: OpenOptions): Promise<Run> {
+  demand('The second argument', options, 'an object');
   const { signal, ...asked } = options;
-  const share = shared.share();
+  demandIfGiven('signal', signal, 'an AbortSignal');
+  demandOptions(asked);
+  let opened: Run | undefined;
+  const share = shared.share(() => opened?.lose());
   try {
-    return new Run(await share.client.open(sourceOf(cloud), asked, signal), () => share.release());
+    const { run } = await openPoints(share.client, () => sourceOf(cloud), asked, signal);
+    opened = new Run(run, () => share.release());
+    return opened;
   } catch (error) {
     share.release();
     throw error;

@@ -31,15 +31,21 @@ export interface Step {
 
 /** A range of scales at which the Betti numbers stand still. */
 export interface Plateau {
+  /** The first step with these Betti numbers. */
   readonly firstStep: number;
+  /** The last step with them. */
   readonly lastStep: number;
   /** Where to look at it: in the middle of its scales. */
   readonly middleStep: number;
+  /** ε of the first step, units of the input: the coarsest scale. */
   readonly epsilonFirst: number;
+  /** ε of the last step: the finest scale. */
   readonly epsilonLast: number;
   /** ln of the ratio of the scales between which it lasts. */
   readonly length: number;
+  /** Which complex the numbers are of. */
   readonly family: ShownFamily;
+  /** Betti numbers: components, loops, voids, … */
   readonly betti: readonly number[];
   /** Those over another field, where they differ: the shape has torsion. */
   readonly torsion?: Torsion;
@@ -49,6 +55,7 @@ export interface Plateau {
 
 /** How a run ended. */
 export interface RunEnd {
+  /** How many steps there are. */
   readonly steps: number;
   /** 16 hexadecimal digits over all steps, the same wherever the same was computed. */
   readonly hash: string;
@@ -101,8 +108,11 @@ export class Run implements AsyncIterable<Step> {
   readonly dimension: number;
   /** One point after another, units of the input. */
   readonly coordinates: Float64Array;
+  /** How far two points are from each other. */
   readonly metric: Metric;
+  /** Which complex is followed. */
   readonly family: Family;
+  /** ν of the witness complex, an entry a dimension. */
   readonly nu: readonly number[];
   /** How many steps there will be, unless the run ends before. */
   readonly stepsPlanned: number;
@@ -112,7 +122,7 @@ export class Run implements AsyncIterable<Step> {
   private stopped: PlateauError | undefined;
   private pulling: Promise<void> | undefined;
   private paused: { readonly over: Promise<void>; readonly end: () => void } | undefined;
-  private closed = false;
+  private closing: Promise<void> | undefined;
 
   /** @internal */
   constructor(
@@ -153,7 +163,10 @@ export class Run implements AsyncIterable<Step> {
     return listOf(await this.remote.fetchPlateaus(), this.record);
   }
 
-  /** A file in the format of the command; `step` is for the mesh and is the middle of the longest plateau if not given. */
+  /**
+   * A file in the format of the command. `step` is for what shows one, mesh, complex and report, and for a session; it
+   * is the middle of the longest plateau unless given.
+   */
   exportFile(format: ExportFormat, step?: number): Promise<Uint8Array> {
     return this.remote.exportFile(format, step);
   }
@@ -179,20 +192,41 @@ export class Run implements AsyncIterable<Step> {
     await this.remote.pause();
   }
 
+  /** Computes on after `pause`. */
   async resume(): Promise<void> {
-    await this.remote.resume();
-    this.paused?.end();
-    this.paused = undefined;
+    try {
+      await this.remote.resume();
+    } finally {
+      this.wake();
+    }
   }
 
-  /** Ends the run and frees its memory. What waits for steps fails. */
-  async close(): Promise<void> {
-    if (this.closed) return;
-    this.closed = true;
-    this.paused?.end();
+  /** Ends the run and frees its memory. What waits for steps fails, and whatever is asked later. */
+  close(): Promise<void> {
+    this.closing ??= this.closed();
+    return this.closing;
+  }
+
+  /**
+   * Its worker has died: who waits for the end of a pause is told with the next question.
+   *
+   * @internal
+   */
+  lose(): void {
+    this.wake();
+  }
+
+  private async closed(): Promise<void> {
     // A dead worker has nothing to free.
-    await this.remote.close().catch(() => undefined);
+    const freed = this.remote.close().catch(() => undefined);
+    this.wake();
+    await freed;
     this.onClose();
+  }
+
+  private wake(): void {
+    this.paused?.end();
+    this.paused = undefined;
   }
 
   private at(step: number): Step {
@@ -210,7 +244,6 @@ export class Run implements AsyncIterable<Step> {
   }
 
   private async pulled(): Promise<void> {
-    if (this.closed) throw new PlateauError('internal', 'The run was closed.');
     const delta = await this.remote.fetchDelta();
     this.record.append(withoutSimplices(delta));
     if (delta.stopped) this.stopped = PlateauError.of(delta.stopped);

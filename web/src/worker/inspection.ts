@@ -5,6 +5,7 @@
 
 /** Why a simplex is in a complex or not, the first that is true. */
 export type Verdict =
+  /** It is in the complex. */
   | 'present'
   /** A vertex is no landmark yet. */
   | 'notInserted'
@@ -19,6 +20,7 @@ export type Verdict =
 export type SurfacePlace =
   /** No surface is shown at that step. */
   | 'none'
+  /** A part of it. */
   | 'on'
   /** Of kept triangles, but shut off from outside on both sides. */
   | 'inside'
@@ -45,9 +47,11 @@ export interface BestWitness {
 
 /** Why a simplex is in the complex shown at a step, or why not. Landmarks are named by the step that inserted them. */
 export interface Inspection {
+  /** At which it was asked. */
   readonly step: number;
   /** The landmarks asked for, ascending. */
   readonly simplex: Uint32Array;
+  /** Whether it is there, and if not the first reason that holds. */
   readonly verdict: Verdict;
   /**
    * What the verdict is about: the simplex itself, or a smallest one of its faces that are missing; `notInserted`: the
@@ -56,6 +60,7 @@ export interface Inspection {
   readonly about: Uint32Array;
   /** In the complex from `birth` on and before `death` (0xFFFFFFFF: still at the last step so far); both 0: never. */
   readonly birth: number;
+  /** See `birth`. */
   readonly death: number;
   /** A witness needs all vertices of `about` among so many of its nearest landmarks. */
   readonly allowed: number;
@@ -65,9 +70,11 @@ export interface Inspection {
   readonly zeta?: number;
   /** Witnesses of `about` by (rank, index) or (distance, index): the first 1,000 of `witnessCount`. */
   readonly witnesses: Uint32Array;
+  /** How many witnesses `about` has. */
   readonly witnessCount: number;
   /** One a witness, see `BestWitness`. */
   readonly ranks: Uint32Array;
+  /** One a witness, see `BestWitness`. */
   readonly distances: Float64Array;
   /** The first of the witnesses; where there is none the closest miss, unless that is beyond the horizon. */
   readonly best?: BestWitness;

@@ -23,7 +23,9 @@ export type Metric =
   | 'matrix';
 
 export interface RunOptions {
+  /** Which complex is followed; absent: as the points need it. */
   readonly family?: Family;
+  /** How far two points are from each other; absent: `euclidean`. */
   readonly metric?: Metric;
   /** Metric `geodesic`: to how many nearest others every point is joined. */
   readonly knn?: number;
@@ -33,6 +35,7 @@ export interface RunOptions {
   readonly maxDimension?: number;
   /** Families `witness` and `dilated`: Betti numbers over Z/p for this prime p. */
   readonly field?: number;
+  /** ν of the witness complex, an entry a dimension; absent: as the family needs it. */
   readonly nu?: readonly number[];
   /** Family `dilated`: radius of the witnesses as a part of epsilon; absent: 0.2. */
   readonly dilation?: number;
@@ -48,6 +51,7 @@ export interface RunOptions {
   readonly minLength?: number;
   /** 0-based input index of the first landmark. */
   readonly first?: number;
+  /** How many landmarks at most; absent: all points. */
   readonly maxSteps?: number;
   /** Stop after the first step with epsilon at most this, in input units. */
   readonly untilEpsilon?: number;
@@ -86,10 +90,15 @@ export interface Failure {
 }
 
 export type ExportFormat =
+  /** A line a step. */
   | 'betti-csv'
+  /** The plateaus in the order of their steps. */
   | 'plateaus-json'
+  /** What a step shows: the closed surface, else landmarks with edges and triangles. */
   | 'mesh-ply'
+  /** The same as OFF. */
   | 'mesh-off'
+  /** The same as binary glTF. */
   | 'mesh-glb'
   /** The complex with edges, triangles and tetrahedra; of every run. */
   | 'complex-vtk'

@@ -10,6 +10,7 @@ const SLICE_MS = 12;
 const DELTA_SIMPLICES = 30_000;
 /** The first landmarks come one by one, so that they can be drawn at once. */
 const FIRST_STEPS = 12;
+const INVALID_OPTION = 8;
 const INTERNAL = 12;
 
 type OpenRequest = Extract<WorkerRequest, { kind: 'open' }>;
@@ -26,6 +27,12 @@ interface Entry {
 }
 
 export type Post = (event: WorkerEvent, transfer: ArrayBuffer[]) => void;
+
+/** A value of a type that the module does not take is found before it does anything: only this request fails. */
+function refused(error: unknown): CoreFailure | undefined {
+  if (!(error instanceof Error) || !['TypeError', 'BindingError'].includes(error.name)) return undefined;
+  return new CoreFailure({ code: INVALID_OPTION, message: `This was not understood: ${error.message}.` });
+}
 
 function assertNever(request: never): never {
   throw new Error(`Unknown request ${JSON.stringify(request)}`);
@@ -48,7 +55,13 @@ export class WorkerRuntime {
   ) {}
 
   handle(request: WorkerRequest): void {
-    this.answering(request, () => this.dispatch(request));
+    this.answering(request, () => {
+      try {
+        this.dispatch(request);
+      } catch (error) {
+        throw refused(error) ?? error;
+      }
+    });
   }
 
   private dispatch(request: WorkerRequest): void {
