@@ -192,7 +192,6 @@ double CellDistance::solve(const double* x, double near, double far) {
         inside[i] = site_of(simplex_[i]);
         reach_squared = std::max(reach_squared, dot(inside[i].place, inside[i].place));
     }
-    const double rounding = kPowerRounding * reach_squared;
     relative_.clear();
     const auto load = [&](const Site& site) {
         relative_.insert(relative_.end(), site.place.begin(), site.place.end());
@@ -203,6 +202,8 @@ double CellDistance::solve(const double* x, double near, double far) {
     Program<D> program;
     for (int changes = 0;; ++changes) {
         if (changes == kMostChanges) return std::numeric_limits<double>::quiet_NaN();
+        // The vertex of a hidden landmark can lie at x itself, and y far away.
+        const double rounding = kPowerRounding * (reach_squared + dot(program.y, program.y));
         std::size_t worst = 0;
         double largest = inside[0].at(program.y);
         for (std::size_t i = 1; i < vertices_; ++i) {
