@@ -10,7 +10,7 @@ export function namesOf({ extra }: Pick<PlaneQuestion, 'extra'>): Naming {
 }
 
 const EXTRA = 'a';
-const ORDER = (name: string): number => (name === EXTRA ? Infinity : Number(name));
+const numberOf = (name: string): number => (name === EXTRA ? Infinity : Number(name));
 
 /** The landmarks that a reader or an address asks for: "1 2", "p1, p2", "3 a". They keep their names when others come. */
 export function parseAsked(text: string): string[] {
@@ -20,7 +20,7 @@ export function parseAsked(text: string): string[] {
     if (!match) throw new Error(`"${word}" is no landmark: write one to three of their numbers, as 1 2.`);
     return match[1] ?? EXTRA;
   });
-  return [...new Set(names)].sort((one, other) => ORDER(one) - ORDER(other) || 0);
+  return [...new Set(names)].sort((one, other) => numberOf(one) - numberOf(other) || 0);
 }
 
 export function askedNames(landmarks: readonly number[], { extra }: PlaneQuestion): string[] {
