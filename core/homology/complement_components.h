@@ -34,8 +34,9 @@ public:
 private:
     using Node = DynamicComponents::Node;
     static constexpr Node kOutside = 0;  // the infinite cells; a finite cell is its id + 1
-    /// Bit i: facet i is kept.
-    enum Flags : std::uint8_t { kSolid = 16, kInfinite = 32 };
+    // Flags of a cell. Bit i: facet i is kept.
+    static constexpr std::uint32_t kSolid = 16;
+    static constexpr std::uint32_t kInfinite = 32;
     struct Context {
         Step step;
         const std::vector<SimplexTable>& tables;

@@ -19,7 +19,7 @@ std::string three_digits(double number) {
 }
 
 std::string in_words(const Plateau& plateau, std::uint32_t other_field) {
-    const std::string numbers = "(" + joined(plateau.betti, ", ") + ")";
+    std::string numbers = "(" + joined(plateau.betti, ", ") + ")";
     if (plateau.torsion.empty()) return numbers;
     return numbers + ", torsion: (" + joined(plateau.torsion, ", ") + ") over Z/" + std::to_string(other_field);
 }
