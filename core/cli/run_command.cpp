@@ -30,9 +30,15 @@ Error out_of_range(Step at, Step steps) {
             "--at " + std::to_string(at) + " is out of range: the run has " + std::to_string(steps) + " steps."};
 }
 
+struct Ended {
+    Progress progress;
+    std::uint32_t plateaus;  // that were long enough, on the way and at the end
+};
+
 /// Steps until the end, the n-th plateau that is long enough, or until the user interrupts.
-Progress run_to_end(Session& session, std::uint32_t nth, bool show_progress) {
+Ended run_to_end(Session& session, std::uint32_t nth, bool show_progress) {
     ProgressLine line(show_progress);
+    std::uint32_t plateaus = 0;
     Progress progress = session.progress();
     while (progress.state == RunState::Preparing || progress.state == RunState::Running) {
         if (interrupted()) {
@@ -41,13 +47,13 @@ Progress run_to_end(Session& session, std::uint32_t nth, bool show_progress) {
             break;
         }
         progress = session.run({.milliseconds = kSliceMs});
-        if (progress.ended_at_plateau && --nth > 0) {
+        if (progress.ended_at_plateau && ++plateaus < nth) {
             session.run_to_next_plateau();
             progress = session.progress();
         }
         line.show(progress);
     }
-    return progress;
+    return {progress, plateaus};
 }
 
 std::optional<Error> write_outputs(const RunArguments& arguments, const Session& session,
@@ -119,13 +125,8 @@ std::optional<std::string> hidden_note(const Timeline& timeline) {
 }
 
 /// Fewer plateaus than asked for were long enough.
-std::optional<std::string> nth_note(const Session& session, std::uint32_t nth) {
-    const double least = session.options().min_length;
-    if (least == 0) return std::nullopt;
-    const auto plateaus = session.plateaus();
-    const auto found = std::count_if(plateaus.begin(), plateaus.end(),
-                                     [&](const Plateau& plateau) { return plateau.length() >= least; });
-    if (found >= static_cast<std::ptrdiff_t>(nth)) return std::nullopt;
+std::optional<std::string> nth_note(const Session& session, std::uint32_t found, std::uint32_t nth) {
+    if (session.options().min_length == 0 || found >= nth) return std::nullopt;
     if (found == 0) return "No plateau is as long as was asked for.";
     return "Only " + std::to_string(found) + (found == 1 ? " plateau is" : " plateaus are") +
            " as long as was asked for.";
@@ -145,7 +146,7 @@ Result<int> run(const RunArguments& arguments) {
     auto& [session, notes, saved] = *input.value();
     if (auto objection = objection_to(arguments, session)) return std::move(*objection);
 
-    const Progress progress = run_to_end(session, arguments.nth, arguments.progress);
+    const auto [progress, plateaus] = run_to_end(session, arguments.nth, arguments.progress);
     if (progress.stopped && progress.steps_done == 0) return *progress.stopped;
     const std::string place =
         "after step " + std::to_string(progress.steps_done) + " of " + std::to_string(progress.steps_planned);
@@ -172,7 +173,7 @@ Result<int> run(const RunArguments& arguments) {
     if (progress.ended_at_plateau) notes.push_back("Stopped " + place + ": a plateau is as long as was asked for.");
     if (interrupted()) {
         notes.push_back("Interrupted " + place + ".");
-    } else if (const auto note = nth_note(session, arguments.nth)) {
+    } else if (const auto note = nth_note(session, plateaus, arguments.nth)) {
         notes.push_back(*note);
     }
     report(notes);

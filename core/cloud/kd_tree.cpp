@@ -104,26 +104,25 @@ void KdTree::search(std::uint32_t node, std::uint32_t position, Axes axes, const
     search(in_right ? node + 1 : range.right, position, axes, limit, use);
 }
 
-double KdTree::nearest_other_squared(std::uint32_t position) const {
-    double nearest = kInfinity;
-    with_axes([&](auto axes) {
-        search(
-            0, position, axes, [&] { return nearest; },
-            [&](std::uint32_t, double squared) { nearest = std::min(nearest, squared); });
-    });
-    return nearest;
-}
-
-double KdTree::nearest_distinct_squared(std::uint32_t position) const {
+template <class Counts>
+double KdTree::nearest_squared(std::uint32_t position, const Counts& counts) const {
     double nearest = kInfinity;
     with_axes([&](auto axes) {
         search(
             0, position, axes, [&] { return nearest; },
             [&](std::uint32_t, double squared) {
-                if (squared > 0) nearest = std::min(nearest, squared);
+                if (counts(squared)) nearest = std::min(nearest, squared);
             });
     });
     return nearest;
+}
+
+double KdTree::nearest_other_squared(std::uint32_t position) const {
+    return nearest_squared(position, [](double) { return true; });
+}
+
+double KdTree::nearest_distinct_squared(std::uint32_t position) const {
+    return nearest_squared(position, [](double squared) { return squared > 0; });
 }
 
 void KdTree::nearest_others(std::uint32_t position, std::uint32_t count, std::vector<Neighbor>& nearest) const {

@@ -117,6 +117,8 @@ private:
     void split(std::uint32_t begin, std::uint32_t end, std::uint32_t axis);
     template <class Axes, class Limit, class Use>
     void search(std::uint32_t node, std::uint32_t position, Axes axes, const Limit& limit, const Use& use) const;
+    template <class Counts>
+    double nearest_squared(std::uint32_t position, const Counts& counts) const;
 
     const PointCloud* cloud_;
     std::uint32_t dimension_;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/exact_text.h"
 #include "io/fields.h"
 #include "io/format_reader.h"
 #include "io/text.h"
@@ -121,27 +122,29 @@ private:
             for (std::uint32_t k = 0; k < count; ++k) columns.push_back(k);
         }
         if (columns.size() < width_) {
-            std::string sentence = "Took columns ";
-            for (std::size_t k = 0; k < columns.size(); ++k) {
-                sentence += (k > 0 ? "," : "") + std::to_string(columns[k] + 1);
-            }
-            sentence += " of " + std::to_string(width_) + " as coordinates";
-            sink_.warn(sentence + (by_name ? ", by their names." : "." + all_columns()));
+            sink_.warn("Took columns " + counted(columns) + " of " + std::to_string(width_) + " as coordinates" +
+                       (by_name ? ", by their names." : "." + all_columns()));
         } else if (width_ > 3) {
             sink_.warn_of_dimension(width_);
         }
         return sink_.choose(width_, columns);
     }
 
+    /// From 1, as --columns takes them.
+    static std::string counted(std::vector<std::uint32_t> columns) {
+        for (std::uint32_t& column : columns) ++column;
+        return joined(columns, ",");
+    }
+
     /// A file of four or five numbers a point may as well be one of points in R^4 or R^5.
     std::string all_columns() const {
         if (width_ > 5) return "";
-        std::string all;
-        for (std::size_t k = 0; k < width_; ++k) {
+        std::vector<std::uint32_t> all;
+        for (std::uint32_t k = 0; k < width_; ++k) {
             if (parse_field(fields_[k]).kind != FieldKind::Number) return "";
-            all += (k > 0 ? "," : "") + std::to_string(k + 1);
+            all.push_back(k);
         }
-        return " Take points of R^" + std::to_string(width_) + " with --columns " + all + ".";
+        return " Take points of R^" + std::to_string(width_) + " with --columns " + counted(all) + ".";
     }
 
     LineScanner lines_;
