@@ -31,37 +31,13 @@ export interface Settings {
   readonly complaints: readonly string[];
 }
 
-/** Every attribute that an element looks at. */
-export const ATTRIBUTES = [
-  'shape',
-  'size',
-  'noise',
-  'seed',
-  'src',
-  'columns',
-  'family',
-  'nu',
-  'steps',
-  'step',
-  'plateau',
-  'autoplay',
-  'panels',
-  'theme',
-] as const;
-export type AttributeName = (typeof ATTRIBUTES)[number];
+/** Those that say what is opened and how. */
+const OPENING = ['shape', 'size', 'noise', 'seed', 'src', 'columns', 'family', 'nu', 'steps'] as const;
+export const OF_OPENING: readonly string[] = OPENING;
 
-/** Those that say what is opened and how; the others say how it is looked at. */
-export const OF_OPENING: readonly string[] = [
-  'shape',
-  'size',
-  'noise',
-  'seed',
-  'src',
-  'columns',
-  'family',
-  'nu',
-  'steps',
-] satisfies readonly AttributeName[];
+/** Every attribute that an element looks at; the others say how it is looked at. */
+export const ATTRIBUTES = [...OPENING, 'step', 'plateau', 'autoplay', 'panels', 'theme'] as const;
+export type AttributeName = (typeof ATTRIBUTES)[number];
 
 const PANELS: readonly Panels[] = ['shape', 'diagram', 'both', 'full'];
 const THEMES: readonly Theme[] = ['auto', 'light', 'dark'];

@@ -151,7 +151,7 @@ export class WorkerRuntime {
       this.answering(entry.openRequest, () => this.openSlice(runId, entry));
     } else {
       const first = entry.prepared && entry.stepsDone < FIRST_STEPS;
-      const { state, stepsDone } = first ? entry.core.advance(SLICE_MS, 1) : entry.core.advance(SLICE_MS);
+      const { state, stepsDone } = entry.core.advance(SLICE_MS, first ? 1 : undefined);
       entry.prepared = state !== 'preparing';
       entry.stepsDone = stepsDone;
       if (state === 'finished' || state === 'stopped') entry.phase = 'done';
