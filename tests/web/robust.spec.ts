@@ -186,3 +186,11 @@ for (const colorScheme of ['light', 'dark'] as const) {
     }
   });
 }
+
+test('the licences are text without an icon of its own, and the browser finds one', async ({ page }) => {
+  await page.goto('./licences.txt');
+  // It asks for this one, and complains where there is none.
+  const icon = await page.request.get('./favicon.ico');
+  expect(icon.headers()['content-type']).toBe('image/x-icon');
+  expect((await icon.body()).readUInt16LE(2)).toBe(1);
+});
