@@ -31,13 +31,29 @@ export interface Settings {
   readonly complaints: readonly string[];
 }
 
-/** Those that say what is opened and how. */
-const OPENING = ['shape', 'size', 'noise', 'seed', 'src', 'columns', 'family', 'nu', 'steps'] as const;
-export const OF_OPENING: readonly string[] = OPENING;
-
-/** Every attribute that an element looks at; the others say how it is looked at. */
-export const ATTRIBUTES = [...OPENING, 'step', 'plateau', 'autoplay', 'panels', 'theme'] as const;
+/** Every attribute that an element looks at. */
+export const ATTRIBUTES = [
+  'shape',
+  'size',
+  'noise',
+  'seed',
+  'src',
+  'columns',
+  'family',
+  'nu',
+  'steps',
+  'step',
+  'plateau',
+  'autoplay',
+  'panels',
+  'theme',
+] as const;
 export type AttributeName = (typeof ATTRIBUTES)[number];
+
+/** Those that say how it is looked at. */
+const OF_LOOKING: readonly string[] = ['step', 'plateau', 'autoplay', 'panels', 'theme'];
+/** The others: what is opened and how. */
+export const OF_OPENING: readonly string[] = ATTRIBUTES.filter((name) => !OF_LOOKING.includes(name));
 
 const PANELS: readonly Panels[] = ['shape', 'diagram', 'both', 'full'];
 const THEMES: readonly Theme[] = ['auto', 'light', 'dark'];
